@@ -53,6 +53,8 @@ struct StandIn {
   std::vector<FeatureId> insteadOf;    ///< those of them that are shown are hidden meanwhile
   vtkSmartPointer<vtkPolyData> faces;  ///< triangles, with a normal for each point
   vtkSmartPointer<vtkPolyData> edges;  ///< polylines; null: none
+  /// The same with fewer triangles, shown while frames take too long; null: there is nothing coarser.
+  vtkSmartPointer<vtkPolyData> coarseFaces = nullptr;
 };
 
 /// Interface of the workbench for tools.

@@ -18,7 +18,7 @@ constexpr int samplesPerPixel = 4;  // of each pixel, where the graphics are fas
 constexpr double fastMs = 2;        // a frame without them that takes no longer can have them
 constexpr double fluentMs = 20;     // a frame with them that takes longer had better not
 constexpr double stutterMs = 24;    // a frame that takes longer, and the window beside it, do not look like movement
-constexpr double easyMs = 5;        // a coarse frame that takes no longer need not be coarse
+constexpr double easyMs = 5;        // a frame in haste that takes no longer needs less of it
 constexpr double quickMs = 12;      // a frame that takes no longer may be begun between two changes
 constexpr int restMs = 30;          // after the last change
 constexpr int shortRestMs = 10;     // where frames are quick
@@ -110,9 +110,10 @@ void LivePicture::beginFrame() {
     subject_.bringNextPiece();
     smoothing_.restart();
   }
-  subject_.prepareFrame(smoothing_.offset(), picture_.size());
+  frameHaste_ = moving_ ? haste_ : Haste::None;
+  subject_.prepareFrame(smoothing_.offset(), picture_.size(), frameHaste_ != Haste::None);
   outdated_ = false;
-  frameSize_ = moving_ && slow_ ? picture_.size() / 2 : picture_.size();
+  frameSize_ = frameHaste_ == Haste::Half ? picture_.size() / 2 : picture_.size();
   frame_ = painter_->begin(&subject_.renderer(), frameSize_, multisampled_ ? samplesPerPixel : 0);
   if (painter_->finished(*frame_, soon)) return takeFrame();
   arrival_.start();
@@ -145,10 +146,18 @@ void LivePicture::takeFrame() {
     chooseSmoothing();
 }
 
+void LivePicture::chooseHaste() {
+  const auto more = haste_ == Haste::None && subject_.canBeCoarser() ? Haste::Coarse : Haste::Half;
+  const auto less = haste_ == Haste::Half && subject_.canBeCoarser() ? Haste::Coarse : Haste::None;
+  if (lastFrameMs_ > stutterMs)
+    haste_ = more;
+  else if (lastFrameMs_ <= easyMs)
+    haste_ = less;
+}
+
 void LivePicture::showFrame(const std::vector<std::uint32_t>& pixels) {
-  const bool whole = frameSize_ == picture_.size();
-  if (moving_) slow_ = whole ? lastFrameMs_ > stutterMs : lastFrameMs_ > easyMs;
-  if (!whole)
+  if (moving_ && frameHaste_ == haste_) chooseHaste();
+  if (frameHaste_ != Haste::None)
     showEnlarged(pixels, frameSize_, picture_);
   else if (!smoothing_.take(pixels, picture_))
     return;
@@ -183,7 +192,7 @@ void LivePicture::chooseSmoothing() {
     return;
   }
   // What has just been opened is not being moved.
-  const bool quick = lastFrameMs_ <= quickMs && frameSize_ == picture_.size();
+  const bool quick = lastFrameMs_ <= quickMs && frameHaste_ == Haste::None;
   const int rest = quick ? shortRestMs : restMs;
   settle_.start(opened_ && smoothing_.taken() <= 1 ? rest : 0);
 }

@@ -31,13 +31,15 @@ class PictureSubject {
   [[nodiscard]] virtual bool incomplete() const = 0;  ///< pieces of it are still to come, one for each frame
   virtual void bringNextPiece() = 0;
   [[nodiscard]] virtual bool empty() const = 0;
-  /// Called before each frame. @param offset device pixels by which the frame is to lie aside
-  virtual void prepareFrame(QPointF offset, QSize picture) = 0;
+  [[nodiscard]] virtual bool canBeCoarser() const = 0;  ///< it has a picture of fewer triangles
+  /// Called before each frame. @param offset device pixels by which the frame is to lie aside  @param coarse it is to be
+  /// drawn of fewer triangles, where it can
+  virtual void prepareFrame(QPointF offset, QSize picture, bool coarse) = 0;
 };
 
 /// The picture that a widget shows of a renderer. Frames are begun here, drawn beside what the window does, and shown when
-/// they are there; nothing is drawn while nothing changes. While the camera moves a frame that takes too long is drawn with
-/// half the size; all edges are smoothed when things have come to rest.
+/// they are there; nothing is drawn while nothing changes. While something moves and frames take too long, they are drawn of
+/// fewer triangles, then with half the size; all edges are smoothed when things have come to rest.
 class LivePicture : public QObject {
   Q_OBJECT
  public:
@@ -47,7 +49,7 @@ class LivePicture : public QObject {
   [[nodiscard]] Painter& painter() { return *painter_; }
   [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
   void redraw();                          ///< soon; smoothed when things have come to rest
-  void redrawMoving();                    ///< the same while the camera moves
+  void redrawMoving();                    ///< the same while the camera or something under the mouse moves
   void redrawAtRest();                    ///< the same when nothing is going to move: it is smoothed at once
   void wantFrame() { next_.start(); }     ///< soon, if there is anything new to draw
   /// Paints the widget with what there is, drawn at once when there is nothing yet. To be called by its paint event.
@@ -55,7 +57,7 @@ class LivePicture : public QObject {
   /// What is shown, drawn before when it is out of date.
   const QImage& upToDate();
 
-  /// Every pixel is drawn, not every second one, and nothing is out of date.
+  /// Every pixel and triangle is drawn, not every second one, and nothing is out of date.
   [[nodiscard]] bool detailed() const;
   /// All edges are smoothed, too.
   [[nodiscard]] bool sharp() const;
@@ -75,6 +77,7 @@ class LivePicture : public QObject {
   void comeToRest();
   void lookForFrame();
   void takeFrame();
+  void chooseHaste();
   void showFrame(const std::vector<std::uint32_t>& pixels);
   void drawNow();
   void chooseSmoothing();
@@ -95,9 +98,11 @@ class LivePicture : public QObject {
   QImage before_;                       // what is shown until then
   bool changed_ = false;                // the picture, since it was painted
   bool untold_ = false;                 // that it was painted
-  // Where a frame takes too long, the camera moves in frames of half the size.
-  bool moving_ = false, slow_ = false;
-  bool opened_ = false;  ///< something has been shown at rest
+  enum class Haste { None, Coarse, Half };
+  bool moving_ = false;
+  Haste haste_ = Haste::None;       ///< of frames while something moves, where whole ones take too long
+  Haste frameHaste_ = Haste::None;  ///< of the frame that is being drawn
+  bool opened_ = false;             ///< something has been shown at rest
   QSize frameSize_;
   QElapsedTimer frameTimer_;
   int framesDrawn_ = 0;

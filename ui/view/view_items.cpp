@@ -5,6 +5,7 @@
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -265,7 +266,16 @@ bool ViewItems::setStandIn(const std::optional<StandIn>& standIn) {
   standInShown_.role = ItemRole::Made;
   show(standInShown_);
   paint({}, standInShown_);
+  coarsely_ = false;
   return true;
+}
+
+void ViewItems::drawCoarsely(bool coarsely) {
+  if (coarsely == coarsely_ || !canBeCoarser()) return;
+  coarsely_ = coarsely;
+  for (const auto& actor : standInShown_.actors)
+    if (roleOf(actor) == ActorRole::Faces)
+      vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(coarsely ? standIn_->coarseFaces : standIn_->faces);
 }
 
 void ViewItems::shade(vtkActor& actor, const Shown& shown) const {

@@ -61,6 +61,8 @@ class ViewItems {
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
   /// What a tool shows instead of some shapes, which can be picked all the same. @returns whether other data are shown
   bool setStandIn(const std::optional<StandIn>&);
+  [[nodiscard]] bool canBeCoarser() const { return standIn_ && standIn_->coarseFaces; }
+  void drawCoarsely(bool);  ///< of what stands in, the triangles that are fewer
   void setSection(const std::optional<CutPlane>&);
   /// What everything that follows the section is clipped by; nullptr: there is none.
   [[nodiscard]] vtkPlane* clip() const;
@@ -115,6 +117,7 @@ class ViewItems {
   std::map<FeatureId, Shown> shown_;
   std::optional<StandIn> standIn_;
   Shown standInShown_;
+  bool coarsely_ = false;
   Look look_ = Look::dark();
   DisplayMode mode_ = DisplayMode::ShadedWithEdges;
   ZebraLook zebra_;

@@ -72,8 +72,9 @@ void ViewWidget::placeCube() {
 
 void ViewWidget::followCurvature() { legend_->showScale(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
 
-void ViewWidget::prepareFrame(QPointF offset, QSize picture) {
+void ViewWidget::prepareFrame(QPointF offset, QSize picture, bool coarse) {
   bringToolUpToDate();
+  stage_.items().drawCoarsely(coarse);
   frameTurn_ = camera_.turn();
   stage_.prepare(camera_, size(), offset, picture);
 }

@@ -138,7 +138,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   [[nodiscard]] bool incomplete() const override { return stage_.items().incomplete(); }
   void bringNextPiece() override { stage_.bringNextPiece(); }
   [[nodiscard]] bool empty() const override { return stage_.items().empty(); }
-  void prepareFrame(QPointF offset, QSize picture) override;
+  [[nodiscard]] bool canBeCoarser() const override { return stage_.items().canBeCoarser(); }
+  void prepareFrame(QPointF offset, QSize picture, bool coarse) override;
 
   void paintProblem(const QPaintEvent&);
   [[nodiscard]] std::vector<Vec3> everything();

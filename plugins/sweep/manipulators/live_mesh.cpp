@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace blossom::sweep {
 
@@ -76,31 +77,34 @@ LiveMesh::LiveMesh(const MotionGrid& grid, const LiveForm& form) : form_(form), 
   points_ = triples<vtkDoubleArray>(count);
   normals_ = triples<vtkFloatArray>(count);
   borderPoints_ = triples<vtkDoubleArray>(2 * countU_ + (form_.closedU ? 1 : 2) * countV_);
-  faces_ = dataOver(points_);
-  faces_->GetPointData()->SetNormals(normals_);
+  faces_ = connected(1);
+  coarseFaces_ = connected(2);
   edges_ = dataOver(borderPoints_);
-  connect();
   connectBorders();
   const GridRectangle whole{{0, countU_}, {0, countV_}};
   update(grid, {&whole, 1});
 }
 
-/// Triangles wound about x_u cross x_v. Two fans close the ends, each about a point of its own.
-void LiveMesh::connect() {
+/// Triangles between each `step`th row and column, wound about x_u cross x_v. Two fans close the ends, each about a point of
+/// its own.
+vtkSmartPointer<vtkPolyData> LiveMesh::connected(std::size_t step) const {
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  const std::size_t triangles = 2 * (countU_ - 1) * (countV_ - 1) + (form_.capped ? 2 * (countU_ - 1) : 0);
-  cells->AllocateExact(idOf(triangles), idOf(3 * triangles));
-  for (std::size_t k = 0; k + 1 < countU_; ++k)
-    for (std::size_t l = 0; l + 1 < countV_; ++l) {
-      const std::size_t a = k * countV_ + l, b = a + countV_;
-      addTriangle(*cells, a, b, b + 1);
-      addTriangle(*cells, a, b + 1, a + 1);
+  const auto after = [step](std::size_t i, std::size_t count) { return std::min(i + step, count - 1); };
+  for (std::size_t k = 0; k + 1 < countU_; k += step)
+    for (std::size_t l = 0; l + 1 < countV_; l += step) {
+      const std::size_t row = k * countV_, next = after(k, countU_) * countV_, end = after(l, countV_);
+      addTriangle(*cells, row + l, next + l, next + end);
+      addTriangle(*cells, row + l, next + end, row + end);
     }
   for (std::size_t cap = 0; form_.capped && cap < 2; ++cap) {
     const std::size_t first = countU_ * countV_ + cap * (countU_ + 1);
-    for (std::size_t k = 0; k + 1 < countU_; ++k) addTriangle(*cells, first + countU_, first + k, first + k + 1);
+    for (std::size_t k = 0; k + 1 < countU_; k += step)
+      addTriangle(*cells, first + countU_, first + k, first + after(k, countU_));
   }
-  faces_->SetPolys(cells);
+  auto data = dataOver(points_);
+  data->GetPointData()->SetNormals(normals_);
+  data->SetPolys(cells);
+  return data;
 }
 
 /// Along both ends in v, and along u where it begins and, of an open surface, where it ends.
@@ -116,6 +120,10 @@ void LiveMesh::connectBorders() {
   edges_->SetLines(cells);
 }
 
+ui::StandIn LiveMesh::standIn(std::vector<FeatureId> insteadOf) const {
+  return {std::move(insteadOf), faces_, edges_, coarseFaces_};
+}
+
 void LiveMesh::update(const MotionGrid& grid, std::span<const GridRectangle> changed) {
   if (changed.empty()) return;
   for (const GridRectangle& part : changed) write(grid, part);
@@ -125,8 +133,7 @@ void LiveMesh::update(const MotionGrid& grid, std::span<const GridRectangle> cha
   }
   writeBorders(grid);
   normals_->Modified();
-  tellModified(*faces_);
-  tellModified(*edges_);
+  for (const auto& data : {faces_, coarseFaces_, edges_}) tellModified(*data);
 }
 
 void LiveMesh::setPlace(std::size_t index, const Vec3& point, const Vec3& normal) {

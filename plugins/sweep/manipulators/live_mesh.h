@@ -7,6 +7,7 @@
 #include "geometry/shape/motion.h"
 #include "kernel/grid/grid_range.h"
 #include "kernel/grid/motion_grid.h"
+#include "ui/plugin/tool.h"
 
 class vtkDoubleArray;
 class vtkFloatArray;
@@ -32,11 +33,13 @@ class LiveMesh {
   /// @param changed what LiveGrid::update has evaluated, of a grid of the size at the beginning. O(changed places + border).
   void update(const MotionGrid&, std::span<const GridRectangle> changed);
 
+  /// What the view draws instead of some features; its data follow every update.
+  [[nodiscard]] ui::StandIn standIn(std::vector<FeatureId> insteadOf) const;
   [[nodiscard]] const vtkSmartPointer<vtkPolyData>& faces() const { return faces_; }
   [[nodiscard]] const vtkSmartPointer<vtkPolyData>& edges() const { return edges_; }
 
  private:
-  void connect();
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> connected(std::size_t step) const;
   void connectBorders();
   void write(const MotionGrid&, const GridRectangle&);
   void writeCap(const MotionGrid&, std::size_t column, std::size_t first);
@@ -46,6 +49,7 @@ class LiveMesh {
   LiveForm form_;
   std::size_t countU_, countV_;
   vtkSmartPointer<vtkPolyData> faces_, edges_;
+  vtkSmartPointer<vtkPolyData> coarseFaces_;               ///< between every second row and column: the same places
   vtkSmartPointer<vtkDoubleArray> points_, borderPoints_;  ///< places by their index in the grid, then caps
   vtkSmartPointer<vtkFloatArray> normals_;
 };

@@ -148,7 +148,7 @@ void SurfacePullTool::place() {
 void SurfacePullTool::commitEdit(const std::optional<TypedGoal>& typed) {
   const std::unique_ptr<HeldEdit> done = std::move(edit_);
   std::optional<LingeringPicture> lingering;
-  lingering.emplace(host(), ui::StandIn{placement_->users, done->live().mesh().faces(), done->live().mesh().edges()});
+  lingering.emplace(host(), done->live().mesh().standIn(placement_->users));
   const MotionEdit edit = done->edit(mode_);
   const QString what = done->turnsAxis() && !typed ? tr("Turn the axis of a twist")
                        : done->twists(mode_)       ? tr("Twist the surface")
@@ -167,8 +167,7 @@ void SurfacePullTool::putBack() {
 }
 
 std::optional<ui::StandIn> SurfacePullTool::standIn() const {
-  if (edit_ && placement_ && (dragged_ || entry_))
-    return ui::StandIn{placement_->users, edit_->live().mesh().faces(), edit_->live().mesh().edges()};
+  if (edit_ && placement_ && (dragged_ || entry_)) return edit_->live().mesh().standIn(placement_->users);
   return lingering_ ? std::optional(lingering_->picture()) : std::nullopt;
 }
 

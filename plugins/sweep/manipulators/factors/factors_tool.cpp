@@ -167,7 +167,7 @@ void FactorsTool::startLive() {
 void FactorsTool::commitDrag(const QString& what) {
   const std::unique_ptr<FactorLive> done = std::move(live_);
   std::optional<LingeringPicture> lingering;
-  lingering.emplace(host(), ui::StandIn{placement_->users, done->mesh().faces(), done->mesh().edges()});
+  lingering.emplace(host(), done->mesh().standIn(placement_->users));
   commit(withFactorChanges(host(), *placement_, done->changes()), what);
   lingering->begin(host());
   if (!lingering->over(host())) lingering_ = std::move(lingering);

@@ -95,8 +95,7 @@ void FactorsTool::drawPlaces(Props& props) const {
 }
 
 std::optional<ui::StandIn> FactorsTool::standIn() const {
-  if (live_ && placement_ && (dragged_ || onPanel_))
-    return ui::StandIn{placement_->users, live_->mesh().faces(), live_->mesh().edges()};
+  if (live_ && placement_ && (dragged_ || onPanel_)) return live_->mesh().standIn(placement_->users);
   return lingering_ ? std::optional(lingering_->picture()) : std::nullopt;
 }
 

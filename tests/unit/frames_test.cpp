@@ -163,11 +163,26 @@ class FramesTest : public QObject {
     QCOMPARE(pageOf(out), std::string("viewBox=\"0 0 1 2\""));
   }
 
+  void aFrameThatCannotBeWrittenIsNamed() {
+    Sequence sequence = growing(3);
+    sequence.frames[1] = Region();
+    const fs::path out = folder() / "gap.step";
+    std::string told;
+    try {
+      writeShape(formats_, sequence, out);
+    } catch (const Error& error) {
+      told = error.message();
+    }
+    QVERIFY2(told.starts_with("Frame 2 of 3: "), told.c_str());
+    QVERIFY(fs::exists(folder() / "gap-0001.step") && !fs::exists(folder() / "gap-0002.step"));
+  }
+
   void aContactSheetShowsSomeFramesInTrueSize() {
     const fs::path out = folder() / "sheet.svg";
     writeShape(formats_, growing(9), out, {{"sheet", 5}});
     const QString svg = textOf(out);
     QCOMPARE(svg.count("<g transform="), 5);
+    VERIFY_ERROR(writeShape(formats_, growing(9), out, {{"sheet", 5}, {"animate", true}}), ErrorCode::InvalidParameter);
     for (const char* time : {">0<", ">0.25<", ">0.5<", ">0.75<", ">1<"}) QCOMPARE(svg.count(time), 1);
     // Frames 0, 2, 4, 6 and 8 of the areas 2 (1 + k), and no two of them meet.
     const Imported read = readShape(formats_, out);

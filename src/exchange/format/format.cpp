@@ -157,12 +157,26 @@ PlannedFiles plannedFiles(const FormatRegistry& registry, const Shape& shape, co
   return planned;
 }
 
+namespace {
+
+/// Of a file among several: which frame it is, and what there is by now.
+[[noreturn]] void throwWithFrame(const Error& error, const PlannedFiles& planned, const FileOfShape& file) {
+  const auto isThis = [&](const FileOfShape& each) { return each.path == file.path; };
+  const auto before = std::find_if(planned.files.begin(), planned.files.end(), isThis) - planned.files.begin();
+  const std::string stay = before == 0 ? "" : " The files of the frames before it are written.";
+  throw Error(error.code(), fmt::format("Frame {} of {}: {}{}", before + 1, planned.files.size(), error.message(), stay),
+              error.hint());
+}
+
+}  // namespace
+
 // Streams of the libraries behind some formats end a full disk with exceptions of their own, such as std::bad_cast.
 void writeFile(const PlannedFiles& planned, const FileOfShape& file, const Value& options, const Progress& progress) {
   try {
     writeAtomically(file.path, [&](const fs::path& temporary) { planned.write(file.shape, temporary, options, progress); });
-  } catch (const Error&) {
-    throw;
+  } catch (const Error& error) {
+    if (planned.files.size() == 1 || error.code() == ErrorCode::Cancelled) throw;
+    throwWithFrame(error, planned, file);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {

@@ -222,6 +222,9 @@ void writeDocument(const Shape& shape, const std::filesystem::path& file, const 
   const DrawnBox box = given ? *given : drawnBox(drawings, chordOfPage(options));
   const auto* sequence = shape.get<Sequence>();
   if (sequence && sheetCells(options) > 0) {
+    if (options.value("animate", false))
+      throw Error(ErrorCode::InvalidParameter, "A contact sheet shows frames side by side and does not play.",
+                  "Ask for a sheet or for an animation, not for both.");
     const PageSheet sheet = pageSheet(*sequence, box, sheetCells(options));
     Page page({{0, 0}, sheet.size}, tolerance);
     return writeBytes(file, page.document(contactSheet(sheet, drawings, page, progress)));

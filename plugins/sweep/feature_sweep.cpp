@@ -1,3 +1,4 @@
+#include "edit_values.h"
 #include "feature_types.h"
 #include "isolate/in_worker.h"
 #include "kernel/cubic_approximation.h"
@@ -95,6 +96,16 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   return out;
 }
 
+/// The edits of a motion file become features, so that each can be changed, left out and seen in the tree.
+TakenApart editsTakenApart(const Shape& shape) {
+  TakenApart apart;
+  const Motion* motion = shape.get<Motion>();
+  if (!motion || motion->edits.empty()) return apart;
+  apart.importedWith = {{"motion", {{"edits", "left-out"}}}};
+  for (const MotionEdit& edit : motion->edits) apart.steps.push_back(stepOf(edit));
+  return apart;
+}
+
 }  // namespace
 
 FeatureType sweepFeature() {
@@ -105,6 +116,7 @@ FeatureType sweepFeature() {
           .command("sweep")
           .produces({ShapeKind::Surface, ShapeKind::Brep})
           .opens(ShapeKind::Motion)
+          .takesApart(editsTakenApart)
           .input({.name = "motion",
                   .help = "A motion: trajectory, orientation and scaling, and its edits.",
                   .kinds = {ShapeKind::Motion},

@@ -1351,6 +1351,10 @@
         <translation>Kanten des Weges, denen der Querschnitt folgt, in beliebiger Reihenfolge: eines Körpers oder einer Zeichnung mit mehreren Kurven.</translation>
     </message>
     <message>
+        <source>edits</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
         <source>element</source>
         <translation>Element</translation>
     </message>
@@ -1643,6 +1647,10 @@
         <translation>Wie Dateien des Formats G-Code (LinuxCNC, GRBL) gelesen werden.</translation>
     </message>
     <message>
+        <source>How files of the format Two-parameter motion (JSON) are read.</source>
+        <translation>Wie Dateien des Formats Bewegung in zwei Parametern (JSON) gelesen werden.</translation>
+    </message>
+    <message>
         <source>How it gets going: in begins slowly (s^2), out ends slowly, in-out does both (smoothstep, 3 s^2 - 2 s^3).</source>
         <translation>Wie sie in Gang kommt: „Anfang“ beginnt langsam (s^2), „Ende“ endet langsam, „beides“ tut beides (Smoothstep, 3 s^2 - 2 s^3).</translation>
     </message>
@@ -1783,6 +1791,10 @@
         <translation>Behält das Original neben seinem Bild.</translation>
     </message>
     <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
         <source>keys</source>
         <translation>Schlüsselbilder</translation>
     </message>
@@ -1905,6 +1917,10 @@
     <message>
         <source>left</source>
         <translation>links</translation>
+    </message>
+    <message>
+        <source>left-out</source>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>length</source>
@@ -3445,6 +3461,10 @@
     <message>
         <source>Whether the corners lie on the circle (inscribed) or the sides touch it (circumscribed).</source>
         <translation>Ob die Ecken auf dem Kreis liegen (einbeschrieben) oder die Seiten ihn berühren (umbeschrieben).</translation>
+    </message>
+    <message>
+        <source>Whether the edits of the file belong to the motion that is read.</source>
+        <translation>Ob die Änderungen der Datei zu der gelesenen Bewegung gehören.</translation>
     </message>
     <message>
         <source>Whether the polyhedron lies inside the ball or around it.</source>

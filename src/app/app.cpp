@@ -111,6 +111,33 @@ Document withImported(const App& app, const Document& document, const fs::path& 
   return withFilesEmbedded(*app.registry, linked);
 }
 
+namespace {
+
+/// The shape of an import taken apart by the type that opens it. A file that cannot be read is told of by its import.
+TakenApart takenApart(const App& app, const FeatureType& opener, const fs::path& file) {
+  if (!opener.takesApart) return {};
+  try {
+    return opener.takesApart(readShape(*app.formats, file, Value::object(), Progress::none()).shape);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// The import, the steps that the shape is taken apart into, and the feature that opens it.
+Document withOpened(const App& app, Document document, const FeatureId& import, const TakenApart& apart,
+                    const FeatureType& opener) {
+  FeatureId last = import;
+  for (const TakenApart::Step& step : apart.steps) {
+    Feature feature = newFeature(document, *app.registry->at(step.type), {last});
+    feature.parameters.update(step.parameters);
+    last = feature.id;
+    document = document.with(std::move(feature));
+  }
+  return document.with(newFeature(document, opener, {last}));
+}
+
+}  // namespace
+
 OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   if (isDocument(file)) {
     OpenedDocument document = openDocument(file, salvage);
@@ -122,9 +149,10 @@ OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   const auto opener = app.registry->opening(readableFormat(app, file).reads);
   if (opener) {
     Feature read = opened.document.at(import);
+    const TakenApart apart = takenApart(app, *opener, file);
+    read.parameters.update(apart.importedWith);
     read.visible = opener->inputs.front().use == InputUse::Consumed;  // which steps back by itself
-    const Document imported = opened.document.with(std::move(read));
-    opened.document = imported.with(newFeature(imported, *opener, {import}));
+    opened.document = withOpened(app, opened.document.with(std::move(read)), import, apart, *opener);
   }
   return opened;
 }

@@ -45,7 +45,8 @@ Document withImported(const App&, const Document&, const std::filesystem::path& 
 Document withLinked(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
 
 /// A document from any file: a .blossom is opened, anything else imported into a new document. Where the format tells what
-/// kind of shape it reads and a feature type opens that kind (a sweep opens motions), a feature of that type follows.
+/// kind of shape it reads and a feature type opens that kind (a sweep opens motions), a feature of that type follows. What
+/// that type takes apart (the edits of a motion) goes between them as features.
 OpenedDocument openAny(const App&, const std::filesystem::path&, bool salvage = false);
 
 /// Is it a Blossom document by its extension?

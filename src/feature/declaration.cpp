@@ -115,7 +115,10 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
 
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.
 void checkOpening(const std::string& what, const FeatureType& type) {
-  if (type.opens == ShapeKind::None) return;
+  if (type.opens == ShapeKind::None) {
+    if (type.takesApart) broken(what, "takes shapes apart that it does not open");
+    return;
+  }
   std::size_t needed = 0;
   for (const InputSpec& input : type.inputs) needed += input.minimum;
   const auto takes = [&](const InputSpec& input) {

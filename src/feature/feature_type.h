@@ -110,6 +110,16 @@ struct Keyword {
 
 struct InputImage;
 
+/// A shape that was opened, taken apart into features.
+struct TakenApart {
+  struct Step {
+    std::string type;  ///< id of a feature type with one input
+    Value parameters = Value::object();
+  };
+  Value importedWith = Value::object();  ///< parameters by which the import reads the shape without the steps
+  std::vector<Step> steps = {};          ///< each with the one before as its input, the first with the import
+};
+
 /// A feature type, declared once. Command, flags, help, dialog, panel, undo text, document format and manual page are
 /// derived from it.
 struct FeatureType {
@@ -129,6 +139,8 @@ struct FeatureType {
   PlayedBy playedBy = {};
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
+  /// What goes between the import and the feature that opens the shape; not set: nothing. Only where `opens` is set.
+  std::function<TakenApart(const Shape&)> takesApart = {};
   /// Pure; parameters are complete and checked, inputs have an accepted kind, sequences only where that is declared. Called
   /// through evaluatedFeature, by which sequences are taken frame by frame.
   Evaluate evaluate;
@@ -191,6 +203,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& opens(ShapeKind kind) {
     type_.opens = kind;
+    return *this;
+  }
+  FeatureBuilder& takesApart(std::function<TakenApart(const Shape&)> function) {
+    type_.takesApart = std::move(function);
     return *this;
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {

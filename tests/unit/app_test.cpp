@@ -22,6 +22,8 @@ class AppTest : public QObject {
   void theLastFeatureIsTheLastThatWorks();
   void openAnyTakesDocumentsAndFiles();
   void aMotionFileBecomesASweep();
+  void editsOfAMotionFileBecomeFeatures();
+  void aDamagedMotionFileOpensWithAnImportThatTellsWhy();
   void whatOpensAKindOfShapeFollowsTheImport();
   void resourcesAreFound();
   void samplesNameNoFolderOfAMachine();
@@ -122,6 +124,46 @@ void AppTest::aMotionFileBecomesASweep() {
   QCOMPARE(lastFeature(opened.document).type, std::string("sweep.sweep"));
   const Results results = Evaluator(app_.registry).evaluate(opened.document, Progress::none());
   for (const auto& [id, result] : results) QVERIFY2(!result->error, result->error ? result->error->what() : "");
+}
+
+void AppTest::editsOfAMotionFileBecomeFeatures() {
+  Value motion = Value::parse(readFile(test::sample("cylinder.json")));
+  motion["edits"] = Value::parse(
+      "[{\"at\": [0.125, 0.5], \"to\": [14, 14, 20], \"symmetry\": {\"fold\": 4}},"
+      " {\"at\": [0.125, 0.5], \"twist\": {\"axis\": [1, 1, 0], \"angle\": 40}}]");
+  const std::filesystem::path edited = file("edited.json");
+  writeAtomically(edited, motion.dump());
+  const Document document = openAny(app_, edited).document;
+  const auto& features = document.features();
+  std::vector<std::string> types;
+  for (const auto& feature : features) types.push_back(feature->type);
+  QCOMPARE(types, (std::vector<std::string>{"exchange.import", "sweep.pull", "sweep.twist", "sweep.sweep"}));
+  for (std::size_t i = 1; i < features.size(); ++i)
+    QCOMPARE(features[i]->inputs, std::vector<FeatureId>{features[i - 1]->id});
+
+  Document linked;  // reads the same file with its edits, as the command line does
+  FeatureId import;
+  linked = withLinked(app_, linked, edited, &import);
+  linked = linked.with(newFeature(linked, *app_.registry->at("sweep.sweep"), {import}));
+  const auto surfaceOf = [&](const Document& made) {
+    const Results results = Evaluator(app_.registry).evaluate(made, Progress::none());
+    for (const auto& [id, result] : results)
+      if (result->error) throw *result->error;
+    return *results.at(lastFeature(made).id)->evaluated.shape.get<Surface>();
+  };
+  const Surface whole = surfaceOf(document);
+  QVERIFY(whole == surfaceOf(linked));
+  Feature twist = *features[2];
+  twist.suppressed = true;
+  QVERIFY(!(surfaceOf(document.with(twist)) == whole));
+}
+
+void AppTest::aDamagedMotionFileOpensWithAnImportThatTellsWhy() {
+  writeAtomically(file("damaged.json"), "{\"trajectory\": 5}");
+  const Document document = openAny(app_, file("damaged.json")).document;
+  QCOMPARE(document.features().size(), std::size_t{2});
+  const Results results = Evaluator(app_.registry).evaluate(document, Progress::none());
+  QCOMPARE(results.at(document.features().front()->id)->error->code(), ErrorCode::FormatDamaged);
 }
 
 // Nothing in `app` knows the sweep: any feature type that declares it opens what a format reads.

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "document/edits.h"
-#include "manipulators/edit_values.h"
+#include "edit_values.h"
 #include "ui/look/registry_text.h"
 
 namespace blossom::sweep {

@@ -20,6 +20,17 @@ namespace blossom {
 
 namespace {
 
+constexpr const char* editsOption = "edits";
+constexpr const char* editsLeftOut = "left-out";
+
+ParameterSpec editsChoice() {
+  ParameterSpec spec = choice({"kept", editsLeftOut});
+  spec.name = editsOption;
+  spec.help = "Whether the edits of the file belong to the motion that is read.";
+  spec.fallback = "kept";
+  return spec;
+}
+
 /// "in line 3, column 12": where a person finds byte `at` (counted from 1).
 std::string placeInText(const std::string& text, std::size_t at) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at > 0 ? at - 1 : 0, text.size()));
@@ -28,7 +39,7 @@ std::string placeInText(const std::string& text, std::size_t at) {
   return fmt::format("in line {}, column {}", line, end - start + 1);
 }
 
-Imported readMotionFile(const std::filesystem::path& path, const Value&, const Progress& progress) {
+Imported readMotionFile(const std::filesystem::path& path, const Value& options, const Progress& progress) {
   const std::string text = readFile(path);
   progress.check();
   Value json;
@@ -49,9 +60,10 @@ Imported readMotionFile(const std::filesystem::path& path, const Value&, const P
   }
   progress.check();
   Imported imported;
-  const Motion motion = readMotion(json, imported.warnings);
+  Motion motion = readMotion(json, imported.warnings);
+  if (options.value(editsOption, "") == editsLeftOut) motion.edits.clear();
   imported.entities = {{"motion", 1}};
-  imported.shape = motion;
+  imported.shape = std::move(motion);
   return imported;
 }
 
@@ -124,7 +136,7 @@ void requireReadable(const Value& value, const std::string& path) {
                 "Give the motion fewer rows or columns.");
   for (const auto& [key, part] : value.items()) {
     const auto pathOfPart = [&, &name = key] {
-      return value.is_array() ? fmt::format("{}[{}]", path, name) : path.empty() ? name : path + "." + name;
+      return value.is_array() ? fmt::format("{}[{}]", path, name) : path.empty() ? name : fmt::format("{}.{}", path, name);
     };
     if (part.is_structured() && !part.empty()) requireReadable(part, pathOfPart());
     if (part.is_number() && !(std::abs(part.get<double>()) <= motionFileNumber))
@@ -174,7 +186,7 @@ Format motionFormat() {
   return {.id = "motion",
           .title = "Two-parameter motion (JSON)",
           .extensions = {"json"},
-          .readOptions = {},
+          .readOptions = {editsChoice()},
           .writeOptions = {},
           .read = readMotionFile,
           .write = write,

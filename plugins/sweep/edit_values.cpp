@@ -1,4 +1,4 @@
-#include "manipulators/edit_values.h"
+#include "edit_values.h"
 
 #include "edit_feature.h"
 
@@ -72,6 +72,16 @@ Value parametersOf(const MotionTwist& edit) {
 
 Value pinsOf(const MotionEdit& edit) {
   return std::visit([](const auto& each) { return recordsOf(each.pins); }, edit);
+}
+
+TakenApart::Step stepOf(const MotionEdit& edit) {
+  TakenApart::Step step{"sweep.twist", std::visit([](const auto& each) { return parametersOf(each); }, edit)};
+  if (const auto* pull = std::get_if<MotionPull>(&edit)) {
+    step.type = "sweep.pull";
+    step.parameters["axis"] = arrayOf(pull->axis);
+  }
+  step.parameters["pins"] = pinsOf(edit);
+  return step;
 }
 
 }  // namespace blossom::sweep

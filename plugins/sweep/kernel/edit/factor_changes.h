@@ -11,7 +11,7 @@ namespace blossom::sweep {
 /// that a closed motion repeats are none of their own.
 struct FactorPole {
   std::size_t row = 0, column = 0;
-  friend auto operator<=>(const FactorPole&, const FactorPole&) = default;
+  friend auto operator<=>(const FactorPole&, const FactorPole&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// A pole of the trajectory in space; its weight stays.

@@ -4,7 +4,7 @@ function(blossom_plugin id)
   file(GLOB_RECURSE kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
   add_library(blossom_${id}_kernel STATIC ${kernel_sources})
   blossom_compile_by_folder(blossom_${id}_kernel)
-  target_precompile_headers(blossom_${id}_kernel REUSE_FROM blossom_headers)
+  blossom_precompiled(blossom_${id}_kernel blossom_headers)
   target_include_directories(blossom_${id}_kernel PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(blossom_${id}_kernel PUBLIC Blossom::geometry PRIVATE Blossom::flags)
 
@@ -15,9 +15,7 @@ function(blossom_plugin id)
   endif()
   add_library(blossom_${id} MODULE ${feature_sources})
   blossom_compile_by_folder(blossom_${id})
-  # Declarations and calls of the kernel, which take twice as long to compile with more optimisation. The shared headers are
-  # compiled with more, too, and GCC 14 does not let them be used with less.
-  target_compile_options(blossom_${id} PRIVATE $<$<CONFIG:Release>:-O1>)
+  blossom_glue(blossom_${id} blossom_glue_headers)
   target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
   set(modules blossom_${id})
 
@@ -25,7 +23,7 @@ function(blossom_plugin id)
   if(BLOSSOM_BUILD_UI AND manipulator_sources)
     add_library(blossom_${id}_manipulators MODULE ${manipulator_sources})
     blossom_compile_by_folder(blossom_${id}_manipulators)
-    target_precompile_headers(blossom_${id}_manipulators REUSE_FROM blossom_window_headers)
+    blossom_glue(blossom_${id}_manipulators blossom_window_headers)
     target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)
     blossom_automoc(blossom_${id}_manipulators)  # tools have signals
     list(APPEND modules blossom_${id}_manipulators)

@@ -61,11 +61,27 @@ function(blossom_automoc target)
   set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/cmake/quick-moc)
 endfunction()
 
-# blossom_room(NAME PUBLIC libs.. PRIVATE libs..)
+# blossom_precompiled(TARGET HEADERS): compiled with the precompiled headers given. They include fmt, whose macro has to be the same.
+function(blossom_precompiled target headers)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:fmt::fmt>)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+endfunction()
+
+# Glue declares, checks, shows and hands on; what takes long is done in kernels, geometry, formats and pictures. More optimisation
+# makes it take up to a half longer to compile.
+set(BLOSSOM_GLUE_OPTIMIZATION $<$<CONFIG:Release>:-O1>)
+
+# blossom_glue(TARGET HEADERS): compiles it with less optimisation, and the precompiled headers given, which are compiled likewise.
+function(blossom_glue target headers)
+  target_compile_options(${target} PRIVATE ${BLOSSOM_GLUE_OPTIMIZATION})
+  blossom_precompiled(${target} ${headers})
+endfunction()
+
+# blossom_room(NAME [GLUE] PUBLIC libs.. PRIVATE libs..)
 # A room is a shared library made of every .cpp in its folder and the folders in it; headers are included as "NAME/header.h" or
 # "NAME/folder/header.h".
 function(blossom_room name)
-  cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "GLUE" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   list(FILTER sources EXCLUDE REGEX "/main(_[a-z]+)?\\.cpp$")
   add_library(blossom_${name} SHARED ${sources})
@@ -76,7 +92,11 @@ function(blossom_room name)
   target_include_directories(blossom_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/blossom>)
   target_link_libraries(blossom_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:Blossom::flags>)
-  target_precompile_headers(blossom_${name} REUSE_FROM blossom_headers)
+  if(ROOM_GLUE)
+    blossom_glue(blossom_${name} blossom_glue_headers)
+  else()
+    blossom_precompiled(blossom_${name} blossom_headers)
+  endif()
   install(TARGETS blossom_${name} EXPORT BlossomTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/blossom/${name} FILES_MATCHING PATTERN "*.h")
 endfunction()

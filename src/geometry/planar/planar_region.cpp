@@ -83,14 +83,14 @@ Sides filled(const Loop& loop, const std::vector<std::size_t>& around, const std
   return {winding != 0, winding + turn(loop) != 0};
 }
 
-[[noreturn]] void open(const Path& path) {
+[[noreturn]] void open(const Path& path, const Tolerance& tolerance) {
   const Vec2 from = startPoint(path);
   const Vec2 to = endPoint(path);
   throw Error(
       ErrorCode::InvalidInput,
       fmt::format("The outline is open: a path starts at ({:.6g}, {:.6g}) and ends at ({:.6g}, {:.6g}), {:.3g} mm apart.",
                   from.x(), from.y(), to.x(), to.y(), (to - from).norm()),
-      "Close the gap in the drawing, or raise the joining tolerance above it.");
+      fmt::format("Close the gap in the drawing; ends up to {} mm apart are joined.", tolerance.joining));
 }
 
 bool isSpeck(const Path& path, double tolerance) {
@@ -120,7 +120,7 @@ std::vector<Path> closedPaths(const Curves& curves, const Tolerance& tolerance) 
   std::vector<Path> paths;
   for (Path& path : joined(curves, tolerance).paths) {
     if (isSpeck(path, tolerance.joining)) continue;
-    if (!path.closed) open(path);
+    if (!path.closed) open(path, tolerance);
     const double perimeter = length(path);
     if (std::abs(signedArea(path)) > perimeter * tolerance.confusion)
       paths.push_back(std::move(path));

@@ -1,6 +1,7 @@
 #include "edit_values.h"
 
 #include "edit_feature.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -75,9 +76,9 @@ Value pinsOf(const MotionEdit& edit) {
 }
 
 TakenApart::Step stepOf(const MotionEdit& edit) {
-  TakenApart::Step step{"sweep.twist", std::visit([](const auto& each) { return parametersOf(each); }, edit)};
+  TakenApart::Step step{twistType, std::visit([](const auto& each) { return parametersOf(each); }, edit)};
   if (const auto* pull = std::get_if<MotionPull>(&edit)) {
-    step.type = "sweep.pull";
+    step.type = pullType;
     step.parameters["axis"] = arrayOf(pull->axis);
   }
   step.parameters["pins"] = pinsOf(edit);

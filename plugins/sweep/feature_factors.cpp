@@ -2,6 +2,7 @@
 #include "factor_values.h"
 #include "feature_types.h"
 #include "kernel/edit/apply_edits.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -29,7 +30,7 @@ Evaluated factorsEvaluate(const FactorsParameters& p, const Inputs& inputs, cons
 
 FeatureType factorsFeature() {
   using P = FactorsParameters;
-  return feature<P>("sweep.factors", "Factors",
+  return feature<P>(factorsType, "Factors",
                     "A motion with single poles and weights of trajectory, orientation and scaling changed.")
       .command("sweep-factors")
       .icon("factors")

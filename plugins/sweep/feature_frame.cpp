@@ -11,6 +11,7 @@
 #include "feature_types.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/begin/motion_from_curve.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -105,7 +106,7 @@ InputSpec sectionInput() {
 
 FeatureType frameFeature() {
   using P = FrameParameters;
-  return feature<P>("sweep.frame", "Sweep along",
+  return feature<P>(frameType, "Sweep along",
                     "A motion that carries a section along a curve without spinning it, ready to be pulled.")
       .command("sweep-along")
       .icon("sweep-along")

@@ -12,6 +12,7 @@
 #include "kernel/motion_mesh.h"
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -145,7 +146,7 @@ InputSpec whatFollows() {
 FeatureType growthFeature() {
   using P = GrowthParameters;
   FeatureType type =
-      feature<P>("sweep.growth", "Growth",
+      feature<P>(growthType, "Growth",
                  "The surfaces on the way of a motion through its pulls and twists, carried out one after another.")
           .command("sweep-growth")
           .icon("sequence")

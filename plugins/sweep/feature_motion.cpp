@@ -3,6 +3,7 @@
 #include "kernel/begin/motion_knots.h"
 #include "kernel/begin/primitive_motions.h"
 #include "kernel/edit/apply_edits.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -81,7 +82,7 @@ Evaluated evaluateRefine(const RefineParameters& p, const Inputs& inputs, const 
 
 FeatureType primitiveFeature() {
   using P = PrimitiveParameters;
-  return feature<P>("sweep.primitive", "Plain motion",
+  return feature<P>(primitiveType, "Plain motion",
                     "A motion that sweeps a plain shape, with poles to pull it by: a beginning without any file.")
       .command("sweep-motion")
       .icon("motion")
@@ -112,8 +113,7 @@ FeatureType primitiveFeature() {
 
 FeatureType refineFeature() {
   using P = RefineParameters;
-  return feature<P>("sweep.refine", "Refine motion",
-                    "The same motion with more poles, so that pulls move smaller parts of it.")
+  return feature<P>(refineType, "Refine motion", "The same motion with more poles, so that pulls move smaller parts of it.")
       .command("sweep-refine")
       .icon("refine-motion")
       .produces({ShapeKind::Motion})

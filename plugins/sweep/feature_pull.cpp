@@ -1,5 +1,6 @@
 #include "edit_feature.h"
 #include "feature_types.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -40,8 +41,7 @@ ParameterSpec pullList() {
 
 FeatureType pullFeature() {
   using P = PullParameters;
-  return feature<P>("sweep.pull", "Pull",
-                    "A motion whose swept surface is pulled to targets, by moving, turning and scaling.")
+  return feature<P>(pullType, "Pull", "A motion whose swept surface is pulled to targets, by moving, turning and scaling.")
       .command("sweep-pull")
       .icon("pull")
       .produces({ShapeKind::Motion})

@@ -6,6 +6,7 @@
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
 #include "kernel/validity.h"
+#include "type_ids.h"
 #include "validity_report.h"
 
 namespace blossom::sweep {
@@ -111,8 +112,7 @@ TakenApart editsTakenApart(const Shape& shape) {
 FeatureType sweepFeature() {
   using P = SweepParameters;
   FeatureType type =
-      feature<P>("sweep.sweep", "Sweep",
-                 "The exact surface or solid that one point sweeps under a motion in two parameters.")
+      feature<P>(sweepType, "Sweep", "The exact surface or solid that one point sweeps under a motion in two parameters.")
           .command("sweep")
           .produces({ShapeKind::Surface, ShapeKind::Brep})
           .opens(ShapeKind::Motion)

@@ -1,5 +1,6 @@
 #include "edit_feature.h"
 #include "feature_types.h"
+#include "type_ids.h"
 
 namespace blossom::sweep {
 
@@ -24,7 +25,7 @@ Evaluated twistEvaluate(const TwistParameters& p, const Inputs& inputs, const Pr
 
 FeatureType twistFeature() {
   using P = TwistParameters;
-  return feature<P>("sweep.twist", "Twist", "A motion whose frame is turned about an axis at some places.")
+  return feature<P>(twistType, "Twist", "A motion whose frame is turned about an axis at some places.")
       .command("sweep-twist")
       .icon("twist")
       .produces({ShapeKind::Motion})

@@ -5,14 +5,12 @@
 #include "core/error.h"
 #include "document/edits.h"
 #include "edit_values.h"
+#include "type_ids.h"
 #include "ui/look/registry_text.h"
 
 namespace blossom::sweep {
 
 namespace {
-
-constexpr const char *sweepType = "sweep.sweep", *pullType = "sweep.pull", *twistType = "sweep.twist",
-                     *factorsType = "sweep.factors", *refineType = "sweep.refine", *growthType = "sweep.growth";
 
 bool isDirect(const Feature& feature) { return feature.type == pullType || feature.type == twistType; }
 

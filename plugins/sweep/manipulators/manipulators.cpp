@@ -2,6 +2,7 @@
 #include "manipulators/marks/validity_marks.h"
 #include "manipulators/motion_overlay.h"
 #include "manipulators/surface_pull_tool.h"
+#include "type_ids.h"
 
 BLOSSOM_MANIPULATORS(registry) {
   using namespace blossom;
@@ -12,7 +13,7 @@ BLOSSOM_MANIPULATORS(registry) {
     props.insert(props.end(), marks.begin(), marks.end());
     return props;
   };
-  for (const char* type : {"sweep.sweep", "sweep.pull", "sweep.twist"}) {
+  for (const char* type : {sweepType, pullType, twistType}) {
     registry.addOverlay(type, overlay);
     registry.addHandles(type, [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
       return std::make_unique<SurfacePullTool>(host, id);
@@ -21,9 +22,9 @@ BLOSSOM_MANIPULATORS(registry) {
   const auto editFactors = [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
     return std::make_unique<FactorsTool>(host, id);
   };
-  registry.addOverlay("sweep.factors", motionOverlay);
-  for (const char* begin : {"sweep.primitive", "sweep.frame", "sweep.refine"}) registry.addOverlay(begin, sweptOverlay);
-  registry.addHandles("sweep.factors", editFactors);
-  registry.addTool({"sweep.factors", "Factors", "Edits the poles of trajectory, orientation and scaling of a motion.",
-                    "factors", "sweep.factors", editFactors});
+  registry.addOverlay(factorsType, motionOverlay);
+  for (const char* begin : {primitiveType, frameType, refineType}) registry.addOverlay(begin, sweptOverlay);
+  registry.addHandles(factorsType, editFactors);
+  registry.addTool({factorsType, "Factors", "Edits the poles of trajectory, orientation and scaling of a motion.", "factors",
+                    factorsType, editFactors});
 }

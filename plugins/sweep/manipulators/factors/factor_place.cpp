@@ -5,14 +5,12 @@
 #include "core/error.h"
 #include "document/edits.h"
 #include "factor_values.h"
+#include "type_ids.h"
 #include "ui/look/registry_text.h"
 
 namespace blossom::sweep {
 
 namespace {
-
-constexpr const char *sweepFeatureType = "sweep.sweep", *factorsFeatureType = "sweep.factors",
-                     *refineFeatureType = "sweep.refine";
 
 bool isMotion(const ui::ToolHost& host, const FeatureId& id) {
   const auto result = host.result(id);
@@ -20,8 +18,7 @@ bool isMotion(const ui::ToolHost& host, const FeatureId& id) {
 }
 
 bool changesMotion(const Feature& feature) {
-  return feature.type == "sweep.pull" || feature.type == "sweep.twist" || feature.type == factorsFeatureType ||
-         feature.type == refineFeatureType;
+  return feature.type == pullType || feature.type == twistType || feature.type == factorsType || feature.type == refineType;
 }
 
 /// A new feature between the motion and its sweeps.
@@ -54,10 +51,9 @@ const char* nameOfFactor(Factor factor) {
 
 FeatureId featureOfFactors(const ui::ToolHost& host, const FeatureId& given) {
   const std::vector<FeatureId> selected = host.selection();
-  const FeatureId id = !given.empty() ? given : selected.size() == 1 ? selected.front() : FeatureId();
+  FeatureId id = !given.empty() ? given : selected.size() == 1 ? selected.front() : FeatureId();
   const bool there = !id.empty() && host.document().contains(id);
-  if (there &&
-      (host.document().at(id).type == sweepFeatureType || changesMotion(host.document().at(id)) || isMotion(host, id)))
+  if (there && (host.document().at(id).type == sweepType || changesMotion(host.document().at(id)) || isMotion(host, id)))
     return id;
   throw Error(ErrorCode::InvalidInput, "The factors to edit are those of a motion, and none is selected.",
               "Select a sweep, or a motion, and try again.");
@@ -73,15 +69,15 @@ std::optional<EditPlacement> factorPlacement(const ui::ToolHost& host, const Fea
     placement.source = users.front();
   if (!isMotion(host, placement.source)) return std::nullopt;
   for (const FeatureId& user : document.usersOf(placement.source))
-    if (document.at(user).type == sweepFeatureType) placement.users.push_back(user);
+    if (document.at(user).type == sweepType) placement.users.push_back(user);
   return placement;
 }
 
 Document withFactorChanges(const ui::ToolHost& host, const EditPlacement& placement, const FactorChanges& changes) {
-  const Feature* const last = lastWhen(host, placement, factorsFeatureType);
-  if (!last) return inserted(host, placement, factorsFeatureType, valuesOf(changes));
+  const Feature* const last = lastWhen(host, placement, factorsType);
+  if (!last) return inserted(host, placement, factorsType, valuesOf(changes));
   Feature changed = *last;
-  const Value complete = completed(host.registry().at(factorsFeatureType)->parameters, last->parameters);
+  const Value complete = completed(host.registry().at(factorsType)->parameters, last->parameters);
   const Value joined = valuesOf(followedBy(changesOf(complete), changes));
   for (const auto& [name, value] : joined.items()) changed.parameters[name] = value;
   return host.document().with(std::move(changed));
@@ -89,9 +85,9 @@ Document withFactorChanges(const ui::ToolHost& host, const EditPlacement& placem
 
 Document withFactorKnot(const ui::ToolHost& host, const EditPlacement& placement, Factor factor, bool alongU, double knot) {
   const char* const direction = alongU ? "u" : "v";
-  const Feature* const last = lastWhen(host, placement, refineFeatureType);
+  const Feature* const last = lastWhen(host, placement, refineType);
   if (!last || last->parameters.value("factors", std::string("all")) != nameOfFactor(factor))
-    return inserted(host, placement, refineFeatureType,
+    return inserted(host, placement, refineType,
                     Value::object({{direction, Value::array({knot})}, {"factors", nameOfFactor(factor)}}));
   Feature changed = *last;
   if (!changed.parameters.contains(direction)) changed.parameters[direction] = Value::array();

@@ -16,6 +16,7 @@
 #include "manipulators/factors/factors_panel.h"
 #include "manipulators/factors/factors_tool.h"
 #include "manipulators/factors/turn_ball.h"
+#include "type_ids.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/look/units.h"
@@ -149,7 +150,7 @@ void FactorsTool::close() {
   const QPointer<FactorsTool> self(this);
   const std::vector<FeatureId> selected = host().selection();
   const Document& document = host().document();
-  const auto opens = [&](const FeatureId& id) { return document.contains(id) && document.at(id).type == "sweep.factors"; };
+  const auto opens = [&](const FeatureId& id) { return document.contains(id) && document.at(id).type == factorsType; };
   if (std::any_of(selected.begin(), selected.end(), opens)) host().select({});
   if (self) emit finished();
 }

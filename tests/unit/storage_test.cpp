@@ -8,9 +8,11 @@
 #include "core/version.h"
 #include "core/zip_archive.h"
 #include "document/json_text.h"
+#include "support/errors.h"
 #include "support/support.h"
 
 using namespace blossom;
+using namespace blossom::test;
 
 namespace {
 
@@ -77,15 +79,6 @@ std::string zipOf(const std::vector<ZipEntry>& entries) {
 std::string json(std::string text) {
   std::replace(text.begin(), text.end(), '\'', '"');
   return text;
-}
-
-Error errorOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e;
-  }
-  return Error(ErrorCode::Internal, "nothing was thrown");
 }
 
 }  // namespace

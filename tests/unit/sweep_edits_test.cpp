@@ -3,6 +3,7 @@
 #include "core/file.h"
 #include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
+#include "support/errors.h"
 #include "support/modeling.h"
 #include "support/motions.h"
 #include "support/support.h"
@@ -52,14 +53,6 @@ class SweepEditsTest : public QObject {
     const auto path = folder_.path() / "again.json";
     format_.write(motion, path, Value::object(), Progress::none());
     return *format_.read(path, Value::object(), Progress::none()).shape.get<Motion>();
-  }
-  static Error errorOf(const std::function<void()>& call) {
-    try {
-      call();
-    } catch (const Error& error) {
-      return error;
-    }
-    return Error(ErrorCode::Internal, "nothing was thrown");
   }
   void expectDamaged(const char* edits, const char* place, const char* words) const {
     const Error error = errorOf([&] { (void)readEdited(Value::parse(edits)); });

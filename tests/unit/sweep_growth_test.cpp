@@ -5,6 +5,7 @@
 #include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "support/command_line.h"
+#include "support/errors.h"
 #include "support/modeling.h"
 #include "support/symmetric_motions.h"
 #include "sweep/kernel/edit/apply_edits.h"
@@ -43,15 +44,6 @@ Motion edited() {
 /// The motions before the first edit, after it, and so on, as features give them: of the edits nothing is known.
 std::vector<GrowthStep> stepsBetween(const std::vector<Motion>& motions) {
   return growthSteps(motions.front(), std::span(motions).subspan(1));
-}
-
-Error errorOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error;
-  }
-  return Error(ErrorCode::Internal, "nothing was thrown");
 }
 
 Evaluated grownFeature(const Value& parameters, const std::vector<Motion>& motions) {

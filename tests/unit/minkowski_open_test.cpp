@@ -312,6 +312,47 @@ class MinkowskiOpenTest : public QObject {
     COMPARE_NEAR(area(roomFor(circleRegion(5), pointSet({{0, 0}, {6, 0}}))), lensArea(5, 6), 1e-9);
   }
 
+  /// What two of three sets sweep without width takes part in the third.
+  void sumsOfSeveralSetsDoNotDependOnTheirOrder() {
+    Random random = seededRandom();
+    for (int round = 0; round < 60; ++round) {
+      std::vector<PlanarSet> sets{{circleRegion(uniform(random, 0.5, 2)), {}, {{20, 3}}}};  // no area alone
+      for (int k = uniformInt(random, 2, 3); k > 0; --k) {
+        std::vector<Vec2> corners{{0, 0}};
+        for (int side = uniformInt(random, 1, 3); side > 0; --side) {  // along the axes, so that many are parallel
+          const double length = uniformInt(random, 0, 1) == 0 ? uniformInt(random, 2, 6) : -uniformInt(random, 2, 6);
+          corners.push_back(corners.back() + (uniformInt(random, 0, 1) == 0 ? Vec2(length, 0) : Vec2(0, length)));
+        }
+        sets.push_back(curveSet(polyline(corners)));
+        if (uniformInt(random, 0, 2) == 0) sets.back().points.emplace_back(uniform(random, 8, 12), uniform(random, 8, 12));
+        if (uniformInt(random, 0, 2) == 0) sets.back().area = rectangleRegion({-9, -9}, {-7, -6});
+      }
+      const Region discFirst = setSum(sets).set.area;
+      std::reverse(sets.begin(), sets.end());
+      const Region discLast = setSum(sets).set.area;
+      COMPARE_NEAR(area(discLast), area(discFirst), 1e-7 * area(discFirst));
+    }
+  }
+
+  void linesOfOneDirectionAndADiscAreAStadium() {
+    const PlanarSet left = segmentSet({3, 0}, {0, 0}), right = segmentSet({1, 1}, {5, 1});
+    for (const PlanarSet& disc : {areaSet(circleRegion(1)), PlanarSet{circleRegion(1), {}, {{30, 0}}}})
+      for (const auto& sets :
+           {std::vector{left, right, disc}, std::vector{left, disc, right}, std::vector{disc, left, right}})
+        COMPARE_NEAR(area(setSum(sets).set.area), 2.0 * 7 + pi, 1e-9);
+    QVERIFY_THROWS_EXCEPTION(Error, (void)setSum(std::vector{left, right, left}));
+  }
+
+  void manyPointsAreCounted() {
+    Random random = seededRandom();
+    const std::vector sets{pointSet(randomWalk(random, 100, 9)), pointSet(randomWalk(random, 100, 9)),
+                           pointSet(randomWalk(random, 100, 9))};
+    QVERIFY_THROWS_EXCEPTION(TooMuchWork, (void)setSum(sets, {.maximumWork = 100'000}));
+    CancelToken token;
+    token.cancel();
+    QVERIFY_THROWS_EXCEPTION(Error, (void)setSum(sets, {}, Progress(token)));
+  }
+
   void theEmptySetAbsorbs() {
     for (const PlanarSet& set : {areaSet(circleRegion(2)), segmentSet({0, 0}, {1, 0}), pointSet({{0, 0}})})
       for (const bool first : {false, true}) {

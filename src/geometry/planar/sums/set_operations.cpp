@@ -45,7 +45,7 @@ Vec2 startOf(const SoundSet& set) {
               "Turn one of them, or add a shape with an area.");
 }
 
-/// Those with a weight other than 0.
+/// Those with a weight other than 0, areas first: what is added to an area has an area everywhere.
 std::vector<SoundSet> weightedSets(std::span<const PlanarSet> sets, const RegionSumOptions& options, Effort& effort,
                                    const Progress& progress) {
   std::vector<SoundSet> result;
@@ -58,6 +58,7 @@ std::vector<SoundSet> weightedSets(std::span<const PlanarSet> sets, const Region
                             shapeName(i), progress);
     if (weight != 0) result.push_back(weight == 1 ? std::move(set) : scaled(set, weight));
   }
+  std::stable_partition(result.begin(), result.end(), [](const SoundSet& set) { return set.isArea(); });
   return result;
 }
 
@@ -113,8 +114,12 @@ SetSumResult setSum(std::span<const PlanarSet> sets, const RegionSumOptions& opt
     const auto before = static_cast<double>(i - 1);
     progress.report(before / count, "Adding shapes");
     effort.expect(summands.size() - i);
-    SoundSet next = sum(total, summands[i], progress.part(before / count, (before + 1) / count), effort);
-    if (next.empty()) refuseSumWithoutArea(total, summands[i]);
+    const Progress part = progress.part(before / count, (before + 1) / count);
+    SoundSet next = sum(total, summands[i], part, effort);
+    const bool isLast = i + 1 == summands.size();
+    if (isLast && next.empty()) refuseSumWithoutArea(total, summands[i]);
+    if (!isLast && !total.isArea() && !summands[i].isArea() && !total.isPoints() && !summands[i].isPoints())
+      addThinSum(total, summands[i], next, part, effort);
     total = std::move(next);
   }
   SetSumResult result{asPlanarSet(total), summands.size() - 1, nearlyClosed(sets)};

@@ -1,6 +1,7 @@
 #include "geometry/planar/sums/set_sum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/planar/fitting/finer_polygons.h"
@@ -22,15 +23,51 @@ Region sweptArea(const SoundSet& a, const SoundSet& b, Sampling sampling, Inside
   return attempt(1, progress).lines();
 }
 
+void sortPoints(std::vector<Vec2>& points) {
+  std::sort(points.begin(), points.end(), fartherLeft);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
 /// The curves and points of a set at each of some points.
-void addCopies(const SoundSet& set, const std::vector<Vec2>& points, SoundSet& out) {
+void addCopies(const SoundSet& set, const std::vector<Vec2>& points, SoundSet& out, const Progress& progress,
+               Effort& effort) {
   for (const Vec2& point : points) {
+    progress.check();
+    effort.spend(set.curves.size() + set.points.size());
     const SoundSet copy = translated(set, point);
     out.curves.insert(out.curves.end(), copy.curves.begin(), copy.curves.end());
     out.points.insert(out.points.end(), copy.points.begin(), copy.points.end());
   }
-  std::sort(out.points.begin(), out.points.end(), fartherLeft);
-  out.points.erase(std::unique(out.points.begin(), out.points.end()), out.points.end());
+}
+
+std::vector<Line2> linesOf(const SoundSet& set) {
+  std::vector<Line2> lines;
+  for (const Path& curve : set.curves)
+    for (const Segment& segment : curve.segments)
+      if (const auto* line = std::get_if<Line2>(&segment)) lines.push_back(*line);
+  return lines;
+}
+
+/// Of parallel lines, which is one as long as both.
+Line2 sumOfParallels(const Line2& a, const Line2& b) {
+  const bool alike = (a.to - a.from).dot(b.to - b.from) > 0;
+  return {a.from + (alike ? b.from : b.to), a.to + (alike ? b.to : b.from)};
+}
+
+bool areParallel(const Line2& a, const Line2& b) {
+  constexpr double rounding = 1e-12;  // of directions, by which corners of scaled and moved lines are off
+  const Vec2 along = a.to - a.from, other = b.to - b.from;
+  return std::abs(cross(along, other)) <= rounding * along.norm() * other.norm();
+}
+
+void addSumsOfParallels(const SoundSet& a, const SoundSet& b, SoundSet& out, const Progress& progress, Effort& effort) {
+  const std::vector<Line2> lines = linesOf(b);
+  for (const Line2& one : linesOf(a)) {
+    progress.check();
+    effort.spend(lines.size());
+    for (const Line2& other : lines)
+      if (areParallel(one, other)) out.curves.push_back({{sumOfParallels(one, other)}, false, {}, {}});
+  }
 }
 
 /// By lines on the safe side: the curves of B run within its tolerance of their chords, so the complement is grown by that.
@@ -60,11 +97,15 @@ SoundSet sum(const SoundSet& a, const SoundSet& b, const Progress& progress, Eff
   if (b.isPoints() && b.points.size() == 1) return translated(a, b.points.front());
   if (a.isPoints() && a.points.size() == 1) return translated(b, a.points.front());
   result.area = {sweptArea(a, b, Sampling::Chords, Inside::Positive, progress, effort), result.tolerance};
-  if (b.isPoints())
-    addCopies(a, b.points, result);
-  else if (a.isPoints())
-    addCopies(b, a.points, result);
+  if (a.isPoints() || b.isPoints()) addThinSum(a, b, result, progress, effort);
   return result;
+}
+
+void addThinSum(const SoundSet& a, const SoundSet& b, SoundSet& out, const Progress& progress, Effort& effort) {
+  addSumsOfParallels(a, b, out, progress, effort);
+  addCopies(a, b.points, out, progress, effort);
+  addCopies({{}, b.curves, {}, b.tolerance}, a.points, out, progress, effort);
+  sortPoints(out.points);
 }
 
 SoundRegion difference(const SoundRegion& a, const SoundSet& b, const Progress& progress, Effort& effort) {

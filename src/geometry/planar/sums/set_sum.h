@@ -12,6 +12,11 @@ namespace blossom::planar {
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork.
 SoundSet sum(const SoundSet& a, const SoundSet& b, const Progress&, Effort&);
 
+/// Adds the curves and points of A + B that `sum` leaves out where it makes an area, so that sums to come are whole: curves
+/// of one at points of the other, sums of points, and of parallel lines. Some of them may lie in the area. Other curves
+/// sweep an area everywhere. O(|A| |B|)
+void addThinSum(const SoundSet& a, const SoundSet& b, SoundSet& out, const Progress&, Effort&);
+
 /// {p : p + B inside the area of A}, regularised; never too large. Of lines and arcs it has lines and arcs again; where
 /// there are splines, straight lines on the safe side, unless B is one point, which moves A. @pre B is not empty. @throws as
 /// sum

@@ -44,7 +44,10 @@ Value usable(const ParameterSpec& spec, const Value& stored) {
 std::vector<const Format*> formatsFor(const FormatRegistry& formats, const ExportScope& scope) {
   std::vector<const Format*> fitting;
   for (const Format& format : formats.formats()) {
-    if (format.write && (canStore(format, scope.kind) || canStore(format, scope.frameKind))) fitting.push_back(&format);
+    const bool storesFrames =
+        !scope.frameKinds.empty() && std::all_of(scope.frameKinds.begin(), scope.frameKinds.end(),
+                                                 [&](ShapeKind kind) { return canStore(format, kind); });
+    if (format.write && (canStore(format, scope.kind) || storesFrames)) fitting.push_back(&format);
   }
   return fitting;
 }

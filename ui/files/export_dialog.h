@@ -18,8 +18,8 @@ class ParameterField;
 struct ExportScope {
   QString title;
   std::vector<FeatureId> features;
-  ShapeKind kind = ShapeKind::None;       ///< kind of all combined; None: they cannot be stored in one file
-  ShapeKind frameKind = ShapeKind::None;  ///< kind of the frames of a sequence, which may be stored in separate files
+  ShapeKind kind = ShapeKind::None;     ///< kind of all combined; None: they cannot be stored in one file
+  std::vector<ShapeKind> frameKinds{};  ///< kinds of the frames of a sequence, which may be stored in separate files
 };
 
 /// Chooses what is exported, the format and its declared options. Format and options of the previous export are preselected.

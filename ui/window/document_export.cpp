@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
+#include <set>
 
 #include "document/shown.h"
 #include "geometry/occt/merged_shape.h"
@@ -21,7 +22,7 @@ namespace {
 ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
   ExportScope scope;
   std::vector<ShapeKind> kinds;
-  std::vector<Shape> frames;
+  std::set<ShapeKind> frameKinds;
   for (const FeatureId& id : ids) {
     const auto view = session.view(id);
     if (!view || view->result->evaluated.shape.empty()) continue;
@@ -29,12 +30,10 @@ ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
     const Shape& shape = view->result->evaluated.shape;
     kinds.push_back(shape.kind());
     if (const auto* sequence = shape.get<Sequence>())
-      frames.insert(frames.end(), sequence->frames.begin(), sequence->frames.end());
+      for (const Shape& frame : sequence->frames) frameKinds.insert(frame.kind());
   }
   scope.kind = kinds.empty() ? ShapeKind::None : mergedKind(kinds);
-  const auto alike = [&](const Shape& frame) { return frame.kind() == frames.front().kind(); };
-  if (kinds.size() == 1 && !frames.empty() && std::all_of(frames.begin(), frames.end(), alike))
-    scope.frameKind = frames.front().kind();
+  if (kinds.size() == 1) scope.frameKinds.assign(frameKinds.begin(), frameKinds.end());
   return scope;
 }
 

@@ -1,12 +1,29 @@
 #include "ui/page/page_tools.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
 #include "ui/view/view_widget.h"
 
 namespace blossom::ui {
+namespace {
+
+/// Seen itself, or in what is made of it: a motion is hidden beside its sweep.
+bool isSeen(const Document& document, const FeatureId& id) {
+  std::set<FeatureId> made{id};
+  for (const auto& feature : document.features()) {
+    const auto& inputs = feature->inputs;
+    if (std::any_of(inputs.begin(), inputs.end(), [&](const FeatureId& input) { return made.contains(input); }))
+      made.insert(feature->id);
+    if (feature->visible && made.contains(feature->id)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 PageTools::PageTools(ToolHost& host, const ManipulatorRegistry& manipulators, ViewWidget& view)
     : host_(host), manipulators_(manipulators), view_(view) {}
@@ -103,8 +120,8 @@ void PageTools::end() {
 void PageTools::refreshHandles() {
   const std::vector<FeatureId> selected = host_.selection();
   const FeatureId wanted = selected.size() == 1 && !tool_ ? selected.front() : FeatureId();
-  const bool usable =
-      !wanted.empty() && host_.document().contains(wanted) && host_.document().at(wanted).visible && host_.result(wanted);
+  const Document& document = host_.document();
+  const bool usable = !wanted.empty() && document.contains(wanted) && isSeen(document, wanted) && host_.result(wanted);
   if (usable && handles_ && handled_ == wanted) return;
   if (!usable && !handles_) return;
   const bool before = handles_ != nullptr;

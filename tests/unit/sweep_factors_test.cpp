@@ -230,6 +230,9 @@ class SweepFactorsTest : public QObject {
     refused({.weights = {{1, 0}}}, "weights[0], pole 1: its weight would be 0");
     refused({.weights = {{1, -2}}}, "weights[0]");
     refused({.weights = {{1, nan}}}, "weights[0]");
+    refused({.weights = {{1, 1e10}}}, "weights[0], pole 1: a number is beyond 1e9");
+    refused({.trajectory = {{0, false, {0, -2e9, 0}}}}, "trajectory[0], pole 0: a number is beyond 1e9");
+    refused({.scaling = {{{0, 0}, true, {1, -1e12, 1}, 1}}}, "scaling[0], pole (0, 0): a number is beyond 1e9");
     refused({.orientation = {{{0, 99}, false, {0, 0, 1}, 5}}}, "orientation[0], pole (0, 99)");
     refused({.orientation = {{{rows, 0}, false, {0, 0, 1}, 5}}}, "orientation[0]");
     refused({.orientation = {{{0, 0}, false, {0, 0, 0}, 5}}}, "its axis has no length");

@@ -24,9 +24,9 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
   return true;
 }
 
-/// During a drag, Shift is for its direction.
+/// During a drag, Shift is for its direction; on many keyboards it is what makes a plus.
 bool SurfacePullTool::keyOfMode(const QKeyEvent& event) {
-  if (held() || !event.modifiers().testFlag(Qt::ShiftModifier)) return mode_.key(event.key());
+  if (held() || event.key() == Qt::Key_Plus || !event.modifiers().testFlag(Qt::ShiftModifier)) return mode_.key(event.key());
   return mode_.keyWithShift(event.key());
 }
 

@@ -14,6 +14,7 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double mostDegrees = 360;
+constexpr double mostNumber = 1e9;  // of a motion file, to which what is edited can be written
 
 [[noreturn]] void refuseChange(const std::string& place, const std::string& problem, const std::string& remedy) {
   throw Error(ErrorCode::InvalidParameter, place + ": " + problem, remedy);
@@ -27,9 +28,13 @@ std::string factorPlace(const char* list, std::size_t index, const FactorPole& p
   return fmt::format("{}[{}], pole ({}, {})", list, index, pole.row, pole.column);
 }
 
-void requireFiniteChange(bool finite, const std::string& place) {
-  if (!finite) refuseChange(place, "a number is not finite.", "Give finite numbers.");
+void requireNumbers(const Vec3& numbers, const std::string& place) {
+  if (!numbers.allFinite()) refuseChange(place, "a number is not finite.", "Give finite numbers.");
+  if (numbers.cwiseAbs().maxCoeff() > mostNumber)
+    refuseChange(place, "a number is beyond 1e9, the largest of a motion.", "Give numbers between -1e9 and 1e9.");
 }
+
+void requireNumber(double number, const std::string& place) { requireNumbers(Vec3::Constant(number), place); }
 
 void requireFactorIndex(std::size_t index, std::size_t count, const char* what, const std::string& place) {
   if (index >= count)
@@ -43,7 +48,7 @@ void requireFactorPole(const FactorPole& pole, std::size_t rows, std::size_t col
 }
 
 void requireFactorWeight(double weight, const std::string& place) {
-  requireFiniteChange(std::isfinite(weight), place);
+  requireNumber(weight, place);
   if (!(weight > 0)) refuseChange(place, fmt::format("its weight would be {}.", weight), "Weights must be above 0.");
 }
 
@@ -55,7 +60,7 @@ void moveTrajectory(Curve& trajectory, const FactorChanges& changes) {
   for (std::size_t k = 0; k < changes.trajectory.size(); ++k) {
     const TrajectoryMove& change = changes.trajectory[k];
     Vec4& pole = take("trajectory", k, change.pole);
-    requireFiniteChange(change.vector.allFinite(), factorPlace("trajectory", k, change.pole));
+    requireNumbers(change.vector, factorPlace("trajectory", k, change.pole));
     const Vec3 from = change.absolute ? Vec3::Zero() : Vec3(pole.head<3>());
     pole.head<3>() = from + pole[3] * change.vector;
   }
@@ -69,7 +74,8 @@ void moveTrajectory(Curve& trajectory, const FactorChanges& changes) {
 }
 
 Vec4 turnOf(const OrientationTurn& change, const std::string& place) {
-  requireFiniteChange(change.axis.allFinite() && std::isfinite(change.angle), place);
+  requireNumbers(change.axis, place);
+  requireNumber(change.angle, place);
   if (!(std::abs(change.angle) <= mostDegrees))
     refuseChange(place, "it would turn by more than 360 degrees, which is no other orientation.",
                  "Give an angle between -360 and 360 degrees.");
@@ -101,7 +107,7 @@ void changeScaling(Surface& scaling, std::size_t rows, const std::vector<Scaling
     const ScalingChange& change = changes[k];
     const std::string place = factorPlace("scaling", k, change.pole);
     requireFactorPole(change.pole, rows, scaling.countV(), place);
-    requireFiniteChange(change.factors.allFinite(), place);
+    requireNumbers(change.factors, place);
     requireFactorWeight(change.weight, place);
     Vec4& pole = scaling.pole(change.pole.row, change.pole.column);
     const Vec3 factors =

@@ -28,6 +28,8 @@ class SweepFactorsWindowTest : public SweepFixture {
   void escapeTakesADragBack();
   void orientationTurnsByNumbersAndByTheBall();
   void weightsAreTyped();
+  void escapeTakesTypingBack();
+  void theCardIsDraggedOutOfTheWay();
   void aClickInTheMarginInsertsAKnot();
   void theFactorsOpenTheirEditor();
   void whatIsNoMotionIsRefused();
@@ -300,6 +302,45 @@ void SweepFactorsWindowTest::weightsAreTyped() {
   QVERIFY(std::ranges::equal(document().features(), kept.features()));
 }
 
+void SweepFactorsWindowTest::escapeTakesTypingBack() {
+  openWithTool("cylinder.json");
+  choose("Trajectory");
+  clickIn(net(), poleAt(0, 1));
+  auto* const line = part<QLineEdit>("factorField3");
+  const QString before = line->text();
+  const Document kept = document();
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, QStringLiteral("42"));
+  QTest::keyClick(line, Qt::Key_Escape);
+  QCOMPARE(line->text(), before);
+  QVERIFY(net() && window_->page().toolStarted());
+  QVERIFY(std::ranges::equal(document().features(), kept.features()));
+  QTest::keyClick(line, Qt::Key_Escape);  // nothing is being typed: the tool ends
+  QTRY_VERIFY(!net());
+}
+
+void SweepFactorsWindowTest::theCardIsDraggedOutOfTheWay() {
+  window_->resize(1280, 720);
+  openWithTool("cylinder.json");
+  auto* const card = part<QFrame>("toolPanel");
+  QVERIFY(card);
+  const QPoint place = card->pos();
+  const auto dragBy = [&](const QPointF& by) {
+    mouseIn(card, QEvent::MouseButtonPress, {4, 4});
+    mouseIn(card, QEvent::MouseMove, QPointF(4, 4) + by);
+    mouseIn(card, QEvent::MouseButtonRelease, {4, 4});  // it has come along
+  };
+  dragBy({150, 20});
+  QCOMPARE(card->pos(), place + QPoint(150, 20));
+  dragBy({5000, 0});  // as far as the view goes
+  QCOMPARE(card->geometry().right(), window_->view().width() - 1);
+  choose("Orientation");  // a wider content leaves it there
+  QTRY_COMPARE(card->geometry().right(), window_->view().width() - 1);
+  mouseIn(card, QEvent::MouseButtonDblClick, {4, 4});
+  QCOMPARE(card->pos(), place);
+}
+
 void SweepFactorsWindowTest::aClickInTheMarginInsertsAKnot() {
   openWithTool("cylinder.json");
   const Motion before = now();
@@ -330,6 +371,21 @@ void SweepFactorsWindowTest::theFactorsOpenTheirEditor() {
   QVERIFY(!window_->page().toolStarted());
   window_->tree().select(sweep_);
   QTRY_VERIFY(!net());
+
+  // So they do when they are hidden beside the sweep that they go into, as in the samples.
+  if (document().at(factors).visible) window_->tree().toggleVisible(factors);
+  QVERIFY(!document().at(factors).visible);
+  window_->tree().select(factors);
+  QTRY_VERIFY(net());
+  window_->tree().select(sweep_);
+  QTRY_VERIFY(!net());
+  window_->tree().toggleVisible(sweep_);  // nothing is seen of it any more
+  window_->tree().select(factors);
+  waitUntilComputed();
+  QVERIFY(!net());
+  window_->tree().toggleVisible(sweep_);
+  QTRY_VERIFY(net());
+  window_->tree().select(sweep_);
 
   // Its cross closes the card, and does not let it come again.
   window_->tree().select(factors);

@@ -1,6 +1,6 @@
 #include "ui/tools/floating_panel.h"
 
-#include <QEvent>
+#include <QMouseEvent>
 #include <QToolButton>
 #include <algorithm>
 
@@ -29,10 +29,41 @@ void FloatingPanel::settle() {
   const QWidget* view = parentWidget();
   if (!view) return;
   const QSize size = sizeHint().boundedTo(view->size() - QSize(2 * margin, 2 * margin)).expandedTo(minimumSizeHint());
-  const QPoint at = place_ == Place::UpperLeft
-                        ? QPoint(margin, margin)
-                        : QPoint((view->width() - size.width()) / 2, view->height() - size.height() - margin);
-  setGeometry(QRect(at, size));
+  resize(size);
+  move(placeOf(this->size()));  // its layout may have made it larger
+}
+
+QPoint FloatingPanel::placeOf(const QSize& size) const {
+  const QSize room = parentWidget()->size() - size;
+  if (draggedTo_)
+    return {std::clamp(draggedTo_->x(), 0, std::max(room.width(), 0)),
+            std::clamp(draggedTo_->y(), 0, std::max(room.height(), 0))};
+  if (place_ == Place::UpperLeft) return {margin, margin};
+  return {room.width() / 2, room.height() - margin};
+}
+
+/// Whether it was a mouse event.
+bool FloatingPanel::dragged(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      if (const auto* mouse = static_cast<QMouseEvent*>(event); mouse->button() == Qt::LeftButton)
+        held_ = mapFromGlobal(mouse->globalPosition().toPoint());
+      return true;
+    case QEvent::MouseMove:
+      if (!held_) return true;
+      draggedTo_ = parentWidget()->mapFromGlobal(static_cast<QMouseEvent*>(event)->globalPosition().toPoint()) - *held_;
+      settle();
+      return true;
+    case QEvent::MouseButtonRelease:
+      held_.reset();
+      return true;
+    case QEvent::MouseButtonDblClick:
+      draggedTo_.reset();
+      settle();
+      return true;
+    default:
+      return event->type() == QEvent::Wheel;
+  }
 }
 
 bool FloatingPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -44,18 +75,9 @@ bool FloatingPanel::eventFilter(QObject* watched, QEvent* event) {
 bool FloatingPanel::event(QEvent* event) {
   const bool done = QFrame::event(event);
   if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) settle();
-  // What nobody here wants must not turn the camera behind the card.
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-      event->accept();
-      return true;
-    default:
-      return done;
-  }
+  if (!dragged(event)) return done;
+  event->accept();  // what nobody here wants must not turn the camera behind the card
+  return true;
 }
 
 }  // namespace blossom::ui

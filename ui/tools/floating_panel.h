@@ -1,12 +1,13 @@
 #pragma once
 #include <QFrame>
+#include <optional>
 
 class QToolButton;
 
 namespace blossom::ui {
 
 /// A small card over the view for the current tool. It keeps its place when the view is resized; mouse events over it do not
-/// reach the view.
+/// reach the view. Where it has no controls it can be dragged out of the way, within the view; a double click takes it back.
 class FloatingPanel : public QFrame {
   Q_OBJECT
  public:
@@ -22,7 +23,12 @@ class FloatingPanel : public QFrame {
   bool event(QEvent*) override;
 
  private:
+  [[nodiscard]] QPoint placeOf(const QSize&) const;
+  bool dragged(QEvent*);
+
   Place place_;
+  std::optional<QPoint> draggedTo_;  ///< upper left corner
+  std::optional<QPoint> held_;       ///< where it is held, from that corner
 };
 
 }  // namespace blossom::ui

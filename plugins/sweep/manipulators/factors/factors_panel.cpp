@@ -3,11 +3,13 @@
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "manipulators/factors/comb_plot.h"
 #include "manipulators/factors/turn_ball.h"
@@ -212,6 +214,35 @@ void FactorsPanel::enter(int field) {
   line->setModified(false);
   forgive();
   emit typed(field, line->text());
+}
+
+/// What is being typed, or what was refused. Returns whether there was any.
+bool FactorsPanel::takeBackTyping() {
+  bool any = problem_->isVisible();
+  for (QLineEdit* field : fields_) {
+    if (!field->hasFocus() || !field->isModified()) continue;
+    while (field->isUndoAvailable()) field->undo();
+    field->setModified(false);
+    field->selectAll();
+    any = true;
+  }
+  forgive();
+  return any;
+}
+
+// Esc comes by here when a field leaves it, and is asked for before the window ends the tool by it.
+bool FactorsPanel::event(QEvent* event) {
+  const bool asks = event->type() == QEvent::ShortcutOverride;
+  if (asks || event->type() == QEvent::KeyPress) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool typing = std::any_of(fields_.begin(), fields_.end(),
+                                    [](const QLineEdit* field) { return field->hasFocus() && field->isModified(); });
+    if (key->key() == Qt::Key_Escape && (typing || problem_->isVisible()) && (asks || takeBackTyping())) {
+      event->accept();
+      return true;
+    }
+  }
+  return FloatingPanel::event(event);
 }
 
 void FactorsPanel::refuse(int field, const QString& why) {

@@ -53,6 +53,9 @@ class FactorsPanel final : public ui::FloatingPanel {
   void turnWanted(bool absolute);  ///< by the axis and the angle in the fields
   void displayChosen();            ///< frames, iso-curves, combs, or the direction of combs
 
+ protected:
+  bool event(QEvent*) override;
+
  private:
   [[nodiscard]] static QToolButton* checkButton(const QString& text, const QString& help);
   void build();
@@ -62,6 +65,7 @@ class FactorsPanel final : public ui::FloatingPanel {
   [[nodiscard]] QHBoxLayout* displayRow();
   void labelFields(Factor);
   void enter(int field);
+  bool takeBackTyping();
 
   QButtonGroup *factors_, *directions_;
   FactorNet* net_;

@@ -1,3 +1,4 @@
+#include "geometry/planar/sums/convex_sum.h"
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/polygon_sum.h"
@@ -62,6 +63,15 @@ class MinkowskiCurvesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void sumsOfConvexShapesAreCancelled() {
+    const CancelToken token;
+    const Progress progress(token);
+    const Region box = rectangleRegion({0, 0}, {2, 1}), disc = circleRegion(3);
+    COMPARE_NEAR(area(convexSum(box, disc, progress)), 2 + 6 * 3 + 9 * std::numbers::pi, 1e-12);
+    token.cancel();
+    QVERIFY_THROWS_EXCEPTION(Error, (void)convexSum(box, disc, progress));
+  }
+
   /// Files end circles of several arcs a rounding beside their beginning, and close them by a line.
   void aClosingLineWithoutLengthIsNoSide() {
     for (const double gap : {0.0, 1e-15, 5e-15, -5e-15, 1e-13}) {

@@ -23,8 +23,9 @@ struct Fan {
 /// last one has the width.
 class Fans {
  public:
-  explicit Fans(const Path& path) {
+  Fans(const Path& path, const Progress& progress) {
     for (const Segment& segment : path.segments) {
+      progress.check();
       if (const auto* arc = std::get_if<Arc2>(&segment)) {
         add(arc->start, arc->center, arc->radius);
         if (path.segments.size() > 1) fans_.push_back({fans_.back().from + arc->sweep, endPoint(segment), 0});
@@ -73,9 +74,10 @@ std::vector<double> startsOf(const Fans& a, const Fans& b) {
 /// Arcs about one centre that follow each other.
 bool continues(const Arc2& arc, const Arc2& next) { return arc.center == next.center && arc.radius == next.radius; }
 
-std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b) {
+std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b, const Progress& progress) {
   std::vector<Arc2> arcs;
   for (std::size_t i = 0; i < starts.size(); ++i) {
+    progress.check();
     const double width = (i + 1 < starts.size() ? starts[i + 1] : starts.front() + fullTurn) - starts[i];
     const double middle = inOneTurn(starts[i] + width / 2);
     const Fan &ofA = a.at(middle), &ofB = b.at(middle);
@@ -95,22 +97,24 @@ std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, 
 
 }  // namespace
 
-Region convexSum(const Region& a, const Region& b) {
-  const Fans fansA(a.loops.front()), fansB(b.loops.front());
-  const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB);
+Region convexSum(const Region& a, const Region& b, const Progress& progress) {
+  const Fans fansA(a.loops.front(), progress), fansB(b.loops.front(), progress);
+  const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB, progress);
   double size = 0;
   for (const Arc2& arc : arcs) size = std::max(size, arc.center.cwiseAbs().maxCoeff() + arc.radius);
   const double rounding = 1e-15 * size;
-  Path path;
+  Region result;
+  Path& path = result.loops.emplace_back();
   path.closed = true;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
+    progress.check();
     const Arc2 &arc = arcs[i], &next = arcs[(i + 1) % arcs.size()];
     if (arc.radius > 0) path.segments.emplace_back(arc);
     const Vec2 from = arc.center + arc.radius * unitAt(arc.start + arc.sweep),
                to = next.center + next.radius * unitAt(next.start);
     if ((to - from).norm() > rounding) path.segments.emplace_back(Line2{from, to});
   }
-  return {{path}};
+  return result;
 }
 
 }  // namespace blossom::planar

@@ -53,7 +53,7 @@ SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegi
     return {toRegion(sum(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
-    return {convexSum(a.region, b.region), tolerance};
+    return {convexSum(a.region, b.region, progress), tolerance};
   return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
 }
 

@@ -216,33 +216,31 @@ void FactorsPanel::enter(int field) {
   emit typed(field, line->text());
 }
 
-/// What is being typed, or what was refused. Returns whether there was any.
-bool FactorsPanel::takeBackTyping() {
-  bool any = problem_->isVisible();
-  for (QLineEdit* field : fields_) {
-    if (!field->hasFocus() || !field->isModified()) continue;
+/// The field that is being typed in; nullptr: none.
+QLineEdit* FactorsPanel::fieldOfTyping() const {
+  const auto typing = [](const QLineEdit* field) { return field->hasFocus() && field->isModified(); };
+  const auto found = std::find_if(fields_.begin(), fields_.end(), typing);
+  return found == fields_.end() ? nullptr : *found;
+}
+
+void FactorsPanel::takeBackTyping() {
+  if (QLineEdit* const field = fieldOfTyping()) {
     while (field->isUndoAvailable()) field->undo();
     field->setModified(false);
     field->selectAll();
-    any = true;
   }
   forgive();
-  return any;
 }
 
 // Esc comes by here when a field leaves it, and is asked for before the window ends the tool by it.
 bool FactorsPanel::event(QEvent* event) {
-  const bool asks = event->type() == QEvent::ShortcutOverride;
-  if (asks || event->type() == QEvent::KeyPress) {
-    auto* key = static_cast<QKeyEvent*>(event);
-    const bool typing = std::any_of(fields_.begin(), fields_.end(),
-                                    [](const QLineEdit* field) { return field->hasFocus() && field->isModified(); });
-    if (key->key() == Qt::Key_Escape && (typing || problem_->isVisible()) && (asks || takeBackTyping())) {
-      event->accept();
-      return true;
-    }
-  }
-  return FloatingPanel::event(event);
+  const bool pressed = event->type() == QEvent::KeyPress;
+  if (!pressed && event->type() != QEvent::ShortcutOverride) return FloatingPanel::event(event);
+  const bool escape = static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  if (!escape || !(fieldOfTyping() || problem_->isVisible())) return FloatingPanel::event(event);
+  if (pressed) takeBackTyping();
+  event->accept();
+  return true;
 }
 
 void FactorsPanel::refuse(int field, const QString& why) {

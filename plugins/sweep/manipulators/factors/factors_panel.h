@@ -65,7 +65,8 @@ class FactorsPanel final : public ui::FloatingPanel {
   [[nodiscard]] QHBoxLayout* displayRow();
   void labelFields(Factor);
   void enter(int field);
-  bool takeBackTyping();
+  [[nodiscard]] QLineEdit* fieldOfTyping() const;
+  void takeBackTyping();
 
   QButtonGroup *factors_, *directions_;
   FactorNet* net_;

@@ -106,7 +106,7 @@ void extendLoosely(Box2& box, const Segment& segment) {
     for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
 }
 
-Box2 looseBox(const std::vector<Path>& paths) {
+Box2 looseBox(std::span<const Path> paths) {
   Box2 box;
   for (const Path& path : paths)
     for (const Segment& segment : path.segments) extendLoosely(box, segment);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/vector.h"
@@ -31,7 +32,7 @@ bool isConvex(const SoundRegion&);
 
 /// Around segments: the circles of arcs and the poles of splines lie in it.
 void extendLoosely(Box2&, const Segment&);
-Box2 looseBox(const std::vector<Path>&);
+Box2 looseBox(std::span<const Path>);
 
 /// The polygons of a region of lines. @pre no curves
 Polygons toPolygons(const SoundRegion&);

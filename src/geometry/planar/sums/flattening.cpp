@@ -241,7 +241,10 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
     throw Error(ErrorCode::InvalidParameter, fmt::format("The tolerance must be above 0; it is {}.", *options.tolerance));
   if (region.loops.empty())
     refuse(ErrorCode::InvalidInput, name, "is empty: it has no outline.", "Give a shape with an area.");
-  for (std::size_t i = 0; i < region.loops.size(); ++i) checkLoop(region.loops[i], i + 1, name);
+  for (std::size_t i = 0; i < region.loops.size(); ++i) {
+    checkLoop(region.loops[i], i + 1, name);
+    progress.check();
+  }
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
   const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
@@ -258,8 +261,9 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
 
 /// Without segments that have no length beyond the rounding of their coordinates, and so no direction: files end what they
 /// close that near to its beginning.
-Path withoutPoints(Path path) {
-  const Box2 box = looseBox({path});
+Path withoutPoints(Path path, const Progress& progress) {
+  progress.check();
+  const Box2 box = looseBox({&path, 1});
   const double rounding = std::ldexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), -46);
   std::erase_if(path.segments, [&](const Segment& segment) {
     if (const auto* line = std::get_if<Line2>(&segment)) return (line->to - line->from).norm() <= rounding;
@@ -307,8 +311,8 @@ SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, 
   if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
   SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
   for (const auto& [outer, holes] : *parts) {
-    sound.region.loops.push_back(withoutPoints(region.loops[outer]));
-    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(region.loops[hole]));
+    sound.region.loops.push_back(withoutPoints(region.loops[outer], progress));
+    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(region.loops[hole], progress));
   }
   return sound;
 }

@@ -329,6 +329,24 @@ class EdgeWalker {
 
 }  // namespace
 
+namespace {
+
+/// There are millions of them in sums of many parts.
+std::vector<BoundaryPiece> inARow(std::vector<std::vector<BoundaryPiece>> parts, const Progress& progress) {
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  std::vector<BoundaryPiece> all;
+  all.reserve(count);
+  for (auto& part : parts) {
+    progress.check();
+    all.insert(all.end(), part.begin(), part.end());
+    part = {};
+  }
+  return all;
+}
+
+}  // namespace
+
 std::vector<BoundaryPiece> boundaryPieces(std::span<const CountedEdge> edges, const WindingCells& cells, WindingRule rule,
                                           const Progress& progress) {
   constexpr std::size_t grain = 64;
@@ -359,9 +377,7 @@ std::vector<BoundaryPiece> boundaryPieces(std::span<const CountedEdge> edges, co
     const std::scoped_lock lock(mutex);
     idle.push_back(std::move(walker));
   });
-  std::vector<BoundaryPiece> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return inARow(std::move(parts), progress);
 }
 
 }  // namespace blossom::planar

@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/temporaries.h"
 #include "core/version.h"
 #include "ui/help/tour.h"
@@ -198,6 +199,7 @@ int run(GuardedApplication& application) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   if (answeredWithoutWindow(argc, argv)) return 0;
   if (displayMissing()) {
     std::fprintf(stderr, "blossom-workbench: there is no display to open a window on. The command blossom needs none.\n");

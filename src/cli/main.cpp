@@ -10,6 +10,7 @@
 #include "cli/cli.h"
 #include "cli/interruption.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/temporaries.h"
 
 namespace {
@@ -37,6 +38,7 @@ void tellCancelled(bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();
   const bool json = std::any_of(argv + 1, argv + argc, [](std::string_view word) { return word == "--json"; });
   std::signal(SIGPIPE, onBrokenPipe);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error of writing

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/memory.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/polygons.h"
 #include "geometry/planar/polygons/sound_region.h"
@@ -61,6 +62,7 @@ std::vector<Case> cases() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   const std::string_view asked = argc > 1 ? argv[1] : "";
   for (const Case& each : cases()) {
     if (std::string_view(each.name).find(asked) == std::string_view::npos) continue;

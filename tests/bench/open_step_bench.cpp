@@ -12,6 +12,7 @@
 #include <cstdlib>
 
 #include "core/file.h"
+#include "core/memory.h"
 #include "exchange/formats.h"
 #include "geometry/occt/occt.h"
 #include "support/support.h"
@@ -84,6 +85,7 @@ BENCHMARK(BM_OpenStepBlossom)->Unit(benchmark::kMillisecond)->UseRealTime()->Min
 BENCHMARK(BM_OpenStepOcct)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3);
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   if (!std::getenv("BLOSSOM_WORKER")) ::setenv("BLOSSOM_WORKER", (test::buildFolder() / "bin/blossom-worker").c_str(), 0);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/memory.h"
 #include "core/parallel.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/polygon_sum.h"
@@ -150,6 +151,7 @@ std::optional<PeerRun> runPeer(const Pair& pair) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   const std::string_view asked = argc > 1 ? argv[1] : "";
   double logarithms = 0, least = 1e300;
   int count = 0;

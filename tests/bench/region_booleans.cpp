@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/memory.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/booleans/region_boolean.h"
 #include "geometry/planar/planar.h"
@@ -84,6 +85,7 @@ Region byOcct(const Operands& each) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   const std::string_view asked = argc > 1 ? argv[1] : "";
   double logarithms = 0, least = 1e300;
   int count = 0;

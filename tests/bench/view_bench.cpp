@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/memory.h"
 #include "scene/picking.h"
 #include "ui/look/theme.h"
 #include "ui/view/view_widget.h"
@@ -110,6 +111,7 @@ void hover(ViewWidget& view, int count) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   prepareApplication();
   QApplication application(argc, argv);
   setUpApplication();

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <map>
 
+#include "core/memory.h"
+
 /// The program of several tests runs the one that it is called by: the links to it beside it bear their names. Called by its
 /// own name, it takes that of a test as its first argument.
 namespace blossom::test {
@@ -23,6 +25,7 @@ RegisteredTest::RegisteredTest(const char* file, TestRun run) {
 }  // namespace blossom::test
 
 int main(int argc, char** argv) {
+  blossom::keepFreedMemory();  // as the programs do
   const auto& tests = blossom::test::tests();
   if (const auto called = tests.find(std::filesystem::path(argv[0]).filename().string()); called != tests.end())
     return called->second(argc, argv);

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <span>
 
 #include "exchange/svg/svg_values.h"
 #include "geometry/planar/planar.h"
@@ -14,14 +14,14 @@ struct CropWindow {
   Eigen::Affine2d place;  ///< of its corner at (0, 0) in mm
   Vec2 size;
 
-  [[nodiscard]] bool holds(const std::vector<Path>& paths) const {
+  [[nodiscard]] bool holds(std::span<const Path> paths) const {
     const Eigen::Matrix<double, 2, 3> toWindow(place.inverse().affine());
-    Curves seen;
-    for (const Path& path : paths) seen.paths.push_back(transformed(path, toWindow));
-    const Bounds box = bounds(Shape(std::move(seen)));
     const double slack = 1e-6 * size.maxCoeff();
-    return box.empty ||
-           ((box.low.head<2>().array() >= -slack).all() && (box.high.head<2>().array() <= size.array() + slack).all());
+    return std::all_of(paths.begin(), paths.end(), [&](const Path& path) {
+      const Bounds box = bounds(Shape(Curves{{transformed(path, toWindow)}, FillRule::NonZero}));
+      return box.empty ||
+             ((box.low.head<2>().array() >= -slack).all() && (box.high.head<2>().array() <= size.array() + slack).all());
+    });
   }
 };
 

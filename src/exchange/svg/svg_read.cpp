@@ -7,6 +7,7 @@
 #include <cmath>
 #include <pugixml.hpp>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 #include "exchange/format/finite.h"
@@ -274,7 +275,7 @@ class Reader {
   /// Whether any window crops a shape, whose paths begin with the given one.
   void countOutside(std::size_t first) {
     if (windows_.empty()) return;
-    const std::vector<Path> paths(curves_.paths.begin() + static_cast<std::ptrdiff_t>(first), curves_.paths.end());
+    const std::span paths = std::span<const Path>(curves_.paths).subspan(first);
     const auto holds = [&](const CropWindow& window) { return window.holds(paths); };
     if (!std::all_of(windows_.begin(), windows_.end(), holds)) ++outside_;
   }
@@ -284,7 +285,7 @@ class Reader {
     if (segments_ > maximumSegments)
       throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", maximumSegments));
     if (filled && !path.closed) close(path);
-    Path placed = transformed(path, Eigen::Matrix<double, 2, 3>(place.affine()));
+    Path placed = transformed(std::move(path), Eigen::Matrix<double, 2, 3>(place.affine()));
     if (!allFinite(placed)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is not a number.");
     placed.layer = style.layer;
     if (style.paintGiven) {

@@ -40,7 +40,7 @@ Spline2 ellipticArc(const Vec2& center, const Vec2& axis, double ratio, double s
 /// Affine image: arcs remain arcs under similarities and become splines otherwise.
 /// @throws Error Degenerate when the map is singular.
 Segment transformed(const Segment&, const Eigen::Matrix<double, 2, 3>& affine);
-Path transformed(const Path&, const Eigen::Matrix<double, 2, 3>& affine);
+Path transformed(Path, const Eigen::Matrix<double, 2, 3>& affine);
 
 /// Joins open paths whose ends are within `tolerance.joining` into longer ones and closes those whose ends meet, in file
 /// order. Where several ends meet, the nearest one of the same layer is joined. O(n log n).

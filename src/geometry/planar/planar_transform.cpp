@@ -79,10 +79,9 @@ Segment transformed(const Segment& segment, const Affine& affine) {
   return std::visit([&](const auto& s) { return transformedSegment(s, affine); }, segment);
 }
 
-Path transformed(const Path& path, const Affine& affine) {
-  Path image = path;
-  for (Segment& segment : image.segments) segment = transformed(segment, affine);
-  return image;
+Path transformed(Path path, const Affine& affine) {
+  for (Segment& segment : path.segments) segment = transformed(segment, affine);
+  return path;
 }
 
 }  // namespace blossom

@@ -1103,12 +1103,12 @@
         <translation>Loslassen zieht den Punkt in der gewählten Bearbeitung hierher</translation>
     </message>
     <message>
-        <source>Drag to pull this point further, %1</source>
-        <translation>Ziehen bewegt diesen Punkt weiter, %1</translation>
+        <source>Drag to pull further, %1</source>
+        <translation>Ziehen: weiter %1</translation>
     </message>
     <message>
-        <source>Drag to pull this point %1</source>
-        <translation>Ziehen bewegt diesen Punkt %1</translation>
+        <source>Drag to pull %1</source>
+        <translation>Ziehen: Punkt bewegen %1</translation>
     </message>
     <message>
         <source>W: twist</source>
@@ -1143,7 +1143,7 @@
         <translation>Enter: Ziel eingeben</translation>
     </message>
     <message>
-        <source>Shift-click: take it along</source>
+        <source>Shift-click: take along</source>
         <translation>Umschalt+Klick: mitnehmen</translation>
     </message>
     <message>
@@ -1187,7 +1187,7 @@
         <translation>Umschalt+Mausrad: Anteil von %1</translation>
     </message>
     <message>
-        <source>T, R, S: one way alone (Shift: as well)</source>
+        <source>T, R, S: one alone (Shift: as well)</source>
         <translation>T, R, S: nur eine Art (Umschalt: zusätzlich)</translation>
     </message>
     <message>

@@ -1103,12 +1103,12 @@
         <translation>놓으면 선택한 편집에서 점을 여기로 당기기</translation>
     </message>
     <message>
-        <source>Drag to pull this point further, %1</source>
-        <translation>끌어서 이 점을 더 당기기, %1</translation>
+        <source>Drag to pull further, %1</source>
+        <translation>끌어서 더 당기기, %1</translation>
     </message>
     <message>
-        <source>Drag to pull this point %1</source>
-        <translation>끌어서 이 점을 당기기, %1</translation>
+        <source>Drag to pull %1</source>
+        <translation>끌어서 당기기, %1</translation>
     </message>
     <message>
         <source>W: twist</source>
@@ -1143,8 +1143,8 @@
         <translation>Enter: 목표 입력</translation>
     </message>
     <message>
-        <source>Shift-click: take it along</source>
-        <translation>Shift+클릭: 함께 당기기</translation>
+        <source>Shift-click: take along</source>
+        <translation>Shift+클릭: 함께</translation>
     </message>
     <message>
         <source>P: pin it</source>
@@ -1187,7 +1187,7 @@
         <translation>Shift+휠: %1의 비율</translation>
     </message>
     <message>
-        <source>T, R, S: one way alone (Shift: as well)</source>
+        <source>T, R, S: one alone (Shift: as well)</source>
         <translation>T, R, S: 한 방식만 (Shift: 함께)</translation>
     </message>
     <message>

@@ -149,7 +149,7 @@ void SweepLiveWindowTest::thePlaceIsShownWhereTheMouseLetGo() {
   const QPoint from = onTheSide();
   drag(from, from + QPoint(30, -10));
   QCOMPARE(all("sweep.pull").size(), std::size_t(1));
-  QTRY_VERIFY2_WITH_TIMEOUT(hint().startsWith(QStringLiteral("Drag to pull this point further")), qPrintable(hint()), 60000);
+  QTRY_VERIFY2_WITH_TIMEOUT(hint().startsWith(QStringLiteral("Drag to pull further")), qPrintable(hint()), 60000);
 }
 
 /// What is told is measured here and judged by tests/acceptance: frames on the screen while the mouse moves, and how long

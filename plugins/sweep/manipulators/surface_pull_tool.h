@@ -76,6 +76,7 @@ class SurfacePullTool : public ui::HandleTool {
 
   // What is said and drawn.
   [[nodiscard]] QString typingHint() const;
+  [[nodiscard]] QString typingProblem() const;
   [[nodiscard]] QString heldHint() const;
   [[nodiscard]] QString hoverHint() const;
   [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;

@@ -48,9 +48,14 @@ QString SurfacePullTool::hint() const {
   return joined({tr("Drag a place on the surface to pull it"), chosenHint()});
 }
 
-QString SurfacePullTool::typingHint() const {
+/// What is wrong with the goal that is typed.
+QString SurfacePullTool::typingProblem() const {
   if (!refusal_.isEmpty()) return refusal_;
-  if (!edit_->live().arrived()) return edit_->live().reason();
+  return edit_->live().arrived() ? QString() : edit_->live().reason();
+}
+
+QString SurfacePullTool::typingHint() const {
+  if (const QString problem = typingProblem(); !problem.isEmpty()) return problem;
   return entry_->isAngle() ? tr("Type the angle of the twist · Enter takes it · Esc leaves it as it is")
                            : tr("Type where the point goes: x, y, z · Enter takes it · Esc leaves it as it is");
 }
@@ -111,8 +116,7 @@ QString SurfacePullTool::hoverHint() const {
   if (mode_.twists())
     parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText());
   else
-    parts << (under_->of ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
-                         : tr("Drag to pull this point %1").arg(mode_.wayText()));
+    parts << (under_->of ? tr("Drag to pull further, %1").arg(mode_.wayText()) : tr("Drag to pull %1").arg(mode_.wayText()));
   const QString symmetry = mode_.symmetryText(), level = mode_.levelText();
   if (!symmetry.isEmpty()) parts << tr("%1 (1: none)").arg(symmetry);
   if (!level.isEmpty()) parts << tr("%1 (0: as it is)").arg(level);
@@ -125,12 +129,12 @@ QString SurfacePullTool::keysHint(bool single, bool ownLevel) const {
   if (mode_.twists())
     parts << tr("A: another axis") << tr("W: pull");
   else
-    parts << tr("T, R, S: one way alone (Shift: as well)") << tr("W: twist");
+    parts << tr("T, R, S: one alone (Shift: as well)") << tr("W: twist");
   if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("Shift+wheel: share of %1").arg(share);
   if (single) parts << tr("2–9, M: copies");
   if (ownLevel) parts << tr("+, −: finer, coarser");
   parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));
-  if (chosen_.empty()) parts << tr("Shift-click: take it along") + QStringLiteral(", ") + tr("P: pin it");
+  if (chosen_.empty()) parts << tr("Shift-click: take along") << tr("P: pin it");
   return joined(parts);
 }
 
@@ -210,7 +214,7 @@ void SurfacePullTool::markEdit(PullMarks& marks) const {
   const PlaceHit& hit = edit_->grip().hit;
   const Motion& now = edit_->live().motion();
   const Vec3 end = placeHit(now, hit.at).point, centre = point(edit_->before().trajectory, hit.at.v);
-  if (entry_) marks.entry(end, entry_->text(), entry_->isAngle() ? QStringLiteral("°") : QString());
+  if (entry_) marks.entry(end, entry_->text(), entry_->isAngle() ? QStringLiteral("°") : QString(), typingProblem());
   if (edit_->twists(mode_)) {
     const Vec3 axis = edit_->axis(mode_);
     marks.axis(centre, axis);

@@ -13,9 +13,10 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double twistRadius = 40;  // of the arc of a point on the axis
-constexpr double pointPixels = 10, copyPixels = 8, pinPixels = 7, ballPixels = 13;
+constexpr double pointPixels = 10, copyPixels = 9, copyHolePixels = 5, pinPixels = 7, ballPixels = 13;
 constexpr double seamPixels = 1.3;
 constexpr QPointF halfLabel(26, 11);  // logical pixels, of a card with an angle
+constexpr double cardHeight = 26;     // with the gap to the one above it
 constexpr double labelDistance = 16;  // from the end of an arc to the card
 
 }  // namespace
@@ -62,7 +63,11 @@ void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode&
   points({hit.point}, host_.look().control, pointPixels);
 }
 
-void PullMarks::copies(const std::vector<Vec3>& all) { points(all, host_.look().control, copyPixels); }
+/// Hollow, unlike places that were chosen. Of points at one place the first is seen.
+void PullMarks::copies(const std::vector<Vec3>& all) {
+  points(all, host_.look().backgroundBottom, copyHolePixels);
+  points(all, host_.look().control, copyPixels);
+}
 
 void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& pinned) {
   points(moved, host_.look().control, pointPixels);
@@ -70,7 +75,7 @@ void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& 
   squares.reserve(pinned.size());
   for (const Vec3& at : pinned) squares.push_back(squareOnScreen(at, facing_, pinPixels));
   seamed(squares, host_.look().control, 2);
-  points(pinned, host_.look().control, copyPixels / 2);
+  points(pinned, host_.look().control, pinPixels / 2);
 }
 
 void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
@@ -113,8 +118,14 @@ void PullMarks::tell(const Vec3& at, const QString& text, bool aboveRing) {
   props_.push_back(ui::labelProp(text, at, look));
 }
 
-void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit) {
+void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit, const QString& problem) {
   const Color &made = host_.look().made, &ground = host_.look().backgroundBottom;
+  if (!problem.isEmpty()) {
+    ui::LabelLook wrong = ui::labelLook(host_.look(), host_.look().fault, host_.pixelRatio());
+    wrong.card = ui::qtColor(ground);
+    wrong.shift = {0, ringReach + cardHeight};
+    props_.push_back(ui::labelProp(problem, at, wrong));
+  }
   ui::LabelLook look = ui::labelLook(host_.look(), text.selected() ? ground : made, host_.pixelRatio());
   look.card = ui::qtColor(text.selected() ? made : ground);
   look.border = ui::qtColor(made);

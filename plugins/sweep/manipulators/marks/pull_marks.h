@@ -34,8 +34,8 @@ class PullMarks {
   void way(const Vec3& from, const Vec3& to);
   /// Numbers about a point, on a card above its ring, or where there is none right above it.
   void tell(const Vec3& at, const QString& text, bool aboveRing);
-  /// What is typed about a point.
-  void entry(const Vec3& at, const ui::TypedText&, const QString& unit);
+  /// What is typed about a point, and above it what is wrong with that, if anything.
+  void entry(const Vec3& at, const ui::TypedText&, const QString& unit, const QString& problem);
 
  private:
   void lines(const std::vector<std::vector<Vec3>>&, const Color&, double width);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "control_shapes.h"
 #include "core/error.h"
 #include "feature/frame_keys.h"
 #include "feature/registry.h"
@@ -116,7 +117,7 @@ std::size_t splineShapes(const std::vector<Region>& shapes) {
 
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
-  std::vector<Region> shapes = regionsOf(inputs);
+  std::vector<Region> shapes = controlShapesOf(inputs);
   placeShapes(shapes, p);
   const std::size_t freeForm = splineShapes(shapes);
   faceSectors(shapes, sectorsIn(p.sectors), toleranceOf(p.tolerance), progress);
@@ -152,7 +153,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
         "them finer.");
   if (p.frames == 0) {
     out.stats["influences"] = sharesOf(arguments.front());
-    out.shape = std::move(result.regions.front());
+    out.shape = shapeOfControl(std::move(result.regions.front()));
     return out;
   }
   out.shape = sequenceOf(std::move(result.regions), places);
@@ -180,14 +181,15 @@ FeatureType morphFeature(std::size_t maximumWork) {
   Builder builder = feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.");
   builder.command("morph")
       .icon("morph")
-      .produces({ShapeKind::Region})
+      .produces({ShapeKind::Region, ShapeKind::Curves})
       .playedBy({.parameter = "frames", .keys = "keys"})
       .input({.name = "shape",
-              .help = "Control shapes, first to last.",
+              .help = "Control shapes, first to last; single points, too, out of which shapes grow.",
               .kinds = {ShapeKind::Region},
               .minimum = 2,
               .maximum = anyNumber,
               .use = InputUse::Control,
+              .points = true,
               .asks = "a shape to morph"})
       .parameter(
           "t", &P::t, ratioAndBeyond(),

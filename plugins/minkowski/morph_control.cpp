@@ -1,5 +1,6 @@
 #include "morph_control.h"
 
+#include "control_shapes.h"
 #include "core/error.h"
 
 namespace blossom::minkowski {
@@ -25,7 +26,7 @@ void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate) {
 Shape sequenceOf(std::vector<Region> regions, std::vector<double> places) {
   Sequence sequence;
   sequence.times = std::move(places);
-  for (Region& region : regions) sequence.frames.emplace_back(std::move(region));
+  for (Region& region : regions) sequence.frames.push_back(shapeOfControl(std::move(region)));
   return Shape(std::move(sequence));
 }
 
@@ -37,7 +38,8 @@ Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& s
   out.stats["degree"] = spline.degree;
   if (const auto continuity = continuityOf(spline)) out.stats["continuity"] = *continuity;
   if (places.empty()) out.stats["influences"] = influences(spline, times.front());
-  out.shape = places.empty() ? Shape(std::move(result.regions.front())) : sequenceOf(std::move(result.regions), places);
+  out.shape =
+      places.empty() ? shapeOfControl(std::move(result.regions.front())) : sequenceOf(std::move(result.regions), places);
   return out;
 }
 

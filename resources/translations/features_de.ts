@@ -1075,8 +1075,8 @@
         <translation>Kontrollpunkte</translation>
     </message>
     <message>
-        <source>Control shapes, first to last.</source>
-        <translation>Kontrollformen, von der ersten bis zur letzten.</translation>
+        <source>Control shapes, first to last; single points, too, out of which shapes grow.</source>
+        <translation>Kontrollformen, von der ersten bis zur letzten; auch einzelne Punkte, aus denen Formen wachsen.</translation>
     </message>
     <message>
         <source>conventional</source>

@@ -10,6 +10,7 @@
 #include "feature/frame_by_frame.h"
 #include "geometry/occt/face_region.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 #include "geometry/shape/kind_names.h"
 #include "geometry/shape/soundness.h"
 
@@ -64,6 +65,7 @@ Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& sha
   if (takenByFrames(spec, shape)) return convertedFrames(type, spec, shape);
   const auto& kinds = spec.kinds;
   if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return shape;
+  if (const auto* curves = shape.get<Curves>(); curves && spec.points && singlePoint(curves->paths)) return shape;
   try {
     if (const Brep* faces = shape.get<Brep>()) return toRegion(*faces);
     return toRegion(*shape.get<Curves>());

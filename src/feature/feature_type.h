@@ -35,6 +35,7 @@ struct InputSpec {
   std::size_t minimum = 1;
   std::size_t maximum = 1;
   InputUse use = InputUse::Kept;
+  bool points = false;    ///< a region input that also takes a single point, as a drawing (single_point.h)
   std::string asks = {};  ///< asked for as: "an outline to extrude"; empty: by the names of the kinds
   /// On the command line a file given for it is imported with these options: {"gcode": {"as": "toolpath"}}.
   Value importedWith = Value::object();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "control_shapes.h"
 #include "core/error.h"
 #include "feature/registry.h"
 #include "geometry/shape/sequence.h"
@@ -69,7 +70,7 @@ void MorphTool::load() {
     moving_ = moving_ || result->evaluated.shape.get<Sequence>();
     try {
       const std::vector<Shape> twice(2, shapeSeen(result->evaluated.shape));  // read as the feature reads it
-      const Region region = arrangedInputs(*type, twice).get<Region>();
+      const Region region = controlShapesOf(arrangedInputs(*type, twice)).front();
       controls_.push_back({region, minkowski::centreOf(region), QString::fromStdString(base_.at(input).name)});
     } catch (const Error&) {
       break;  // the feature itself says what is wrong with it

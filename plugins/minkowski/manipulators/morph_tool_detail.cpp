@@ -5,6 +5,7 @@
 
 #include "feature/registry.h"
 #include "geometry/planar/sums/flattening.h"
+#include "kernel/morph/point_shape.h"
 #include "manipulators/coarse_morph.h"
 #include "manipulators/morph_tool.h"
 
@@ -16,7 +17,7 @@ using namespace planar;
 double MorphTool::coarseTolerance() const {
   double finest = coarsestTolerance;
   for (std::size_t i = 0; i < controls_.size(); ++i)
-    if (!controls_[i].region.loops.empty())
+    if (!controls_[i].region.loops.empty() && !pointIn(controls_[i].region))
       finest = std::min(finest, timesAsCoarse * std::min(1.0, placements_[i].scale) * defaultTolerance(controls_[i].region));
   return finest;
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/planar/planar.h"
 #include "kernel/morph/control_centre.h"
+#include "kernel/morph/point_shape.h"
 
 namespace blossom::minkowski {
 
@@ -30,7 +31,7 @@ double reachFrom(const Vec2& point, const Region& region) {
 BlendedArea::BlendedArea(std::span<const SoundRegion> shapes) {
   for (const SoundRegion& shape : shapes) {
     areas_.push_back(area(shape.region));
-    centres_.push_back(centroid(shape.region, shape.tolerance));
+    centres_.push_back(isOrigin(shape) ? Vec2(Vec2::Zero()) : centroid(shape.region, shape.tolerance));
   }
 }
 
@@ -39,6 +40,7 @@ double BlendedArea::blended(std::span<const double> shares) const {
 }
 
 InBetween BlendedArea::of(const InBetween& given, std::span<const double> shares) const {
+  if (isOrigin(given.shape)) return given;
   Vec2 centre = Vec2::Zero();
   for (std::size_t i = 0; i < shares.size(); ++i) centre += shares[i] * centres_[i];
   const double wanted = blended(shares);

@@ -47,7 +47,8 @@ Vec2 centreOf(const Region& region) {
   if (box.isEmpty()) return Vec2::Zero();
   const Vec2 middle = box.center();
   const double size = box.sizes().norm();
-  if (!(size > 0) || !std::isfinite(size)) return Vec2::Zero();
+  if (size == 0) return middle;
+  if (!std::isfinite(size)) return Vec2::Zero();
   Moments moments{middle};
   for (const Path& loop : region.loops) moments.add(flatten(loop, size / 1000));
   return std::abs(moments.twice) > 1e-9 * size * size ? moments.centre() : middle;

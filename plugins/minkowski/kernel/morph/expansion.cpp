@@ -6,6 +6,7 @@
 
 #include "geometry/planar/sums/convex_hull.h"
 #include "kernel/hull_distance.h"
+#include "kernel/morph/point_shape.h"
 #include "kernel/morph/thinning.h"
 
 namespace blossom::minkowski {
@@ -52,6 +53,7 @@ InBetween Expansion::at(std::span<const double> t, const Progress& progress) con
   for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
   for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
   for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
+  if (terms.empty()) return {};  // points alone
   double deviation = errorOfHulls_.at(key);
   const bool many = makeVeryManyCorners(terms);
   if (many) smallestFirst(terms);
@@ -98,7 +100,8 @@ const std::vector<Expansion::Term>& Expansion::termsOf(std::span<const double> t
   std::vector<Term>& hulls = hullsFor_[place->first];
   std::vector<std::pair<double, Term>> byError;
   const auto weights = weightsOf(t);
-  for (std::size_t i = 0; i < weights.size(); ++i)
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (isOrigin(shapes_[i])) continue;
     for (const auto& [weight, count] : weights[i]) {
       const Term term{i, weight, count};
       if (isConvex(shapes_[i]))
@@ -106,6 +109,7 @@ const std::vector<Expansion::Term>& Expansion::termsOf(std::span<const double> t
       else
         byError.emplace_back(errorOf(term, progress), term);
     }
+  }
   std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   double error = 0;
   for (const auto& [more, term] : byError) {

@@ -13,6 +13,7 @@
 #include "geometry/planar/segment_point.h"
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
+#include "kernel/morph/point_shape.h"
 
 namespace blossom::minkowski {
 
@@ -28,7 +29,7 @@ struct SignedTerms {
 };
 
 void include(SignedTerms& terms, const SoundRegion& shape, double weight, Adder& add, const Progress& progress) {
-  if (weight == 0) return;
+  if (weight == 0 || isOrigin(shape)) return;
   std::optional<SoundRegion>& total = weight > 0 ? terms.added : terms.taken;
   const SoundRegion term = scaled(shape, std::abs(weight));
   total = total ? add(*total, term, progress) : term;
@@ -46,14 +47,15 @@ SoundRegion finer(SoundRegion shape) {
 SignedTerms termsAt(std::span<const double> t, std::span<const SoundRegion> shapes, Adder& add, const Progress& progress) {
   SignedTerms terms;
   const std::vector<double> shares = sharesOf(t);
-  const bool allConvex = std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& each) { return isConvex(each); });
+  const bool allConvex =
+      std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& each) { return repeatsAsMultiple(each); });
   if (!allConvex && choicesOf(t) > mostChoices)
     throw Error(ErrorCode::LimitExceeded,
                 fmt::format("The morph of {} different blossom numbers beyond its ends has too many terms.", t.size()),
                 "Give equal numbers.");
   const auto weights = allConvex ? std::vector<std::map<double, std::size_t>>(shapes.size()) : weightsOf(t);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (isConvex(shapes[i])) {
+    if (repeatsAsMultiple(shapes[i])) {
       include(terms, shapes[i], shares[i], add, progress);
       continue;
     }
@@ -132,6 +134,8 @@ std::optional<InBetween> continuedTo(std::span<const double> t, std::span<const 
   std::vector<SoundRegion> fine;
   for (const SoundRegion& shape : shapes) fine.push_back(finer(shape));
   const SignedTerms terms = termsAt(t, fine, add, progress);
+  if (!terms.taken) return InBetween{terms.added.value_or(SoundRegion())};  // only points are taken away
+  if (!terms.added) return std::nullopt;
   const SoundRegion &whole = *terms.added, &part = *terms.taken;
   SoundRegion rest = difference(whole, part, progress, add.effort());
   if (rest.region.loops.empty()) return std::nullopt;

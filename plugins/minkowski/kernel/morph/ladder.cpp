@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "geometry/planar/sums/flattening.h"
+#include "kernel/morph/evaluation_order.h"
+#include "kernel/morph/point_shape.h"
 #include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
@@ -25,10 +26,14 @@ void checkRungs(std::span<const Region> shapes, std::span<const double> t) {
       throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", level));
 }
 
-std::vector<Region> regionsIn(const std::vector<SoundRegion>& shapes) {
+/// Each is an in-between of neighbours among the control shapes, at the first of the numbers.
+std::vector<Region> regionsIn(const std::vector<SoundRegion>& rung, std::span<const Region> controls,
+                              std::span<const double> t) {
+  const std::vector<double> shares = sharesOf(t);
   std::vector<Region> regions;
-  regions.reserve(shapes.size());
-  for (const SoundRegion& shape : shapes) regions.push_back(shape.region);
+  regions.reserve(rung.size());
+  for (std::size_t i = 0; i < rung.size(); ++i)
+    regions.push_back(PointPlaces(controls.subspan(i, shares.size())).moved(rung[i].region, shares));
   return regions;
 }
 
@@ -54,11 +59,11 @@ LadderResult ladder(std::span<const Region> shapes, std::span<const double> t, c
   try {
     std::vector<SoundRegion> rung;
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      rung.push_back(soundRegion(shapes[i], {.tolerance = options.tolerance, .effort = &add.effort()},
-                                 fmt::format("control shape {}", i + 1), progress));
-    for (const double level : t) {
-      rung = nextRung(rung, level, add, progress);
-      result.levels.push_back(regionsIn(rung));
+      rung.push_back(soundControl(shapes[i], {.tolerance = options.tolerance, .effort = &add.effort()},
+                                  fmt::format("control shape {}", i + 1), progress));
+    for (std::size_t r = 0; r < t.size(); ++r) {
+      rung = nextRung(rung, t[r], add, progress);
+      result.levels.push_back(regionsIn(rung, shapes, t.first(r + 1)));
     }
   } catch (const TooMuchWork&) {
     result.complete = false;

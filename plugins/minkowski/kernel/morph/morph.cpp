@@ -17,6 +17,7 @@
 #include "kernel/morph/blended_area.h"
 #include "kernel/morph/expansion.h"
 #include "kernel/morph/extrapolation.h"
+#include "kernel/morph/point_shape.h"
 #include "kernel/morph/repetition.h"
 #include "kernel/morph/thinning.h"
 
@@ -89,15 +90,15 @@ void check(std::span<const Region> shapes, std::span<const Arguments> arguments)
 class Morph {
  public:
   Morph(std::span<const Region> regions, const MorphOptions& options, const Progress& progress)
-      : regions_(regions), options_(options), add_(options.maximumWork) {
+      : regions_(regions), points_(regions), options_(options), add_(options.maximumWork) {
     for (std::size_t i = 0; i < regions.size(); ++i)
       shapes_.push_back(
-          soundRegion(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
+          soundControl(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
     if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
     if (options.areaPreserving) area_.emplace(shapes_);
     if (options.degreeElevate) elevate(progress);
     for (const Region& region : regions)
-      tolerance_ = std::min(tolerance_, options.tolerance.value_or(defaultTolerance(region)));
+      if (!pointIn(region)) tolerance_ = std::min(tolerance_, options.tolerance.value_or(defaultTolerance(region)));
     expansion_.emplace(shapes_, tolerance_, add_);
   }
 
@@ -107,7 +108,7 @@ class Morph {
     for (const Arguments& t : arguments)
       if (!isBeyond(t) && !isEnd(t)) all.push_back(elevated(t));
     std::vector<bool> convex;
-    for (const SoundRegion& shape : shapes_) convex.push_back(isConvex(shape));
+    for (const SoundRegion& shape : shapes_) convex.push_back(repeatsAsMultiple(shape));
     if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = quickestWay(all, convex);
     isUsed_ = !all.empty();
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
@@ -121,11 +122,12 @@ class Morph {
   Region at(const Arguments& t, const Progress& progress) {
     if (isEnd(t)) return t.front() < 0.5 ? regions_.front() : regions_.back();
     InBetween made = isBeyond(t) ? beyond(t, progress) : inBetween(elevated(t), progress);
-    if (area_) made = area_->of(made, sharesOf(t));
+    const std::vector<double> shares = sharesOf(t);
+    if (area_) made = area_->of(made, shares);
     const std::scoped_lock lock(mutex_);
     deviation_ = std::max(deviation_, made.deviation);
     if (warnings_.empty()) warnOfLines(takesSplines(t), made.shape.region, options_.tolerance, warnings_);
-    return std::move(made.shape.region);
+    return points_.moved(std::move(made.shape.region), shares);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
@@ -145,7 +147,7 @@ class Morph {
  private:
   void refuseHollows() const {
     for (std::size_t i = 1; i + 1 < shapes_.size(); ++i)
-      if (!isConvex(shapes_[i]))
+      if (!repeatsAsMultiple(shapes_[i]))
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("Control shape {} is not convex, so its repetitions are not multiples of it.", i + 1),
                     "Choose the explicit evaluation.");
@@ -171,7 +173,7 @@ class Morph {
 
   /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
   void elevate(const Progress& progress) {
-    for (const SoundRegion& shape : shapes_) regionsConvex_.push_back(isConvex(shape));
+    for (const SoundRegion& shape : shapes_) regionsConvex_.push_back(repeatsAsMultiple(shape));
     std::vector<SoundRegion> more{shapes_.front()};
     const double count = static_cast<double>(shapes_.size());
     add_.plan(shapes_.size() - 1);
@@ -236,6 +238,7 @@ class Morph {
   }
 
   std::span<const Region> regions_;
+  PointPlaces points_;
   MorphOptions options_;
   bool isUsed_ = false;  ///< an in-between is computed in the order of evaluation
   Adder add_;

@@ -40,7 +40,8 @@ std::vector<double> diagonal(std::size_t degree, double t);
 /// (Lee, Lee, Kim & Kim 2002, section 4.2, equations 4.5 to 4.9; the blossom of section 4.3, equation 4.10). Each argument
 /// consists of one number per level; equal numbers t give C(t), beyond 0..1 as extrapolation.h has it. When all are 0 or all
 /// are 1, the result is the first or the last control shape itself. Scaling is about the origin of the document. The blossom
-/// is symmetric in its arguments for all evaluations, also for shapes that are not convex.
+/// is symmetric in its arguments for all evaluations, also for shapes that are not convex. Control shapes and results may be
+/// points, as regions of point_shape.h.
 /// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, numbers beyond 0..1 to which the
 /// morph does not continue), InvalidInput naming the shape and the place (see flattening.h; also a shape that is not convex
 /// for Evaluation::Convex), LimitExceeded, Cancelled; TooMuchWork.

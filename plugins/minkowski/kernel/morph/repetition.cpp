@@ -5,12 +5,15 @@
 #include <optional>
 
 #include "geometry/planar/sums/curved_sum.h"
+#include "kernel/morph/point_shape.h"
 
 namespace blossom::minkowski {
 
 using namespace planar;
 
 SoundRegion Adder::operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
+  if (isOrigin(a)) return b;
+  if (isOrigin(b)) return a;
   const std::size_t before = count_++;
   if (effort_.isLimited()) effort_.expect(planned_ > before ? planned_ - before : 1);
   const double all = static_cast<double>(std::max(planned_, before + 1)), done = static_cast<double>(before);
@@ -52,7 +55,7 @@ std::size_t sumsOfRepetition(bool convex, std::size_t k) {
 
 SoundRegion repeated(const SoundRegion& shape, std::size_t k, Adder& add, const Progress& progress) {
   if (k == 1) return shape;
-  if (isConvex(shape)) return scaled(shape, static_cast<double>(k));
+  if (repeatsAsMultiple(shape)) return scaled(shape, static_cast<double>(k));
   std::optional<SoundRegion> result;
   SoundRegion power = shape;
   for (std::size_t rest = k;;) {

@@ -16,7 +16,8 @@ namespace blossom::minkowski {
 
 using namespace planar;
 
-/// Computes Minkowski sums and counts them, in several threads at once when the work is unlimited.
+/// Computes Minkowski sums and counts them, in several threads at once when the work is unlimited. The origin alone
+/// (point_shape.h) changes no shape and takes no sum.
 class Adder {
  public:
   explicit Adder(std::size_t maximumWork = Effort::unlimited) : effort_(maximumWork) {}

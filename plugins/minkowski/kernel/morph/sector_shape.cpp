@@ -11,6 +11,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/sums/convex_hull.h"
 #include "geometry/planar/sums/flattening.h"
+#include "kernel/morph/point_shape.h"
 
 namespace blossom::minkowski {
 
@@ -108,7 +109,7 @@ void faceSectors(std::vector<Region>& shapes, std::span<const Sector> sectors, c
                 fmt::format("{} sectors are given for {} control shapes.", sectors.size(), shapes.size()),
                 "Leave out those too many.");
   for (std::size_t i = 0; i < sectors.size(); ++i) {
-    if (sectors[i].from == sectors[i].to) continue;
+    if (sectors[i].from == sectors[i].to || pointIn(shapes[i])) continue;
     const std::string name = fmt::format("control shape {}", i + 1);
     shapes[i] = facing(soundRegion(shapes[i], {.tolerance = tolerance}, name, progress), sectors[i], name, progress).region;
   }

@@ -24,7 +24,7 @@ struct Sector {
 /// @throws Error InvalidParameter when a corner or a straight side is all that faces the sector.
 SoundRegion facing(const SoundRegion&, const Sector&, const std::string& name, const Progress& = Progress::none());
 
-/// Puts in place of the first shapes of a morph what of them faces their sectors.
+/// Puts in place of the first shapes of a morph what of them faces their sectors; points stay.
 /// @throws Error InvalidParameter also when there are more sectors than shapes; as soundRegion of flattening.h
 void faceSectors(std::vector<Region>& shapes, std::span<const Sector>, const std::optional<double>& tolerance,
                  const Progress& = Progress::none());

@@ -8,6 +8,7 @@
 #include "geometry/planar/sums/flattening.h"
 #include "kernel/morph/blended_area.h"
 #include "kernel/morph/evaluation_order.h"
+#include "kernel/morph/point_shape.h"
 #include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
@@ -52,11 +53,11 @@ class SplineMorph {
  public:
   SplineMorph(std::span<const Region> regions, const ShapeKnots& spline, const MorphOptions& options,
               const Progress& progress)
-      : regions_(regions), spline_(spline), add_(options.maximumWork) {
+      : regions_(regions), points_(regions), spline_(spline), add_(options.maximumWork) {
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      shapes_.push_back(soundRegion(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()},
-                                    fmt::format("control shape {}", i + 1), progress));
-      convex_.push_back(isConvex(shapes_.back()));
+      shapes_.push_back(soundControl(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()},
+                                     fmt::format("control shape {}", i + 1), progress));
+      convex_.push_back(repeatsAsMultiple(shapes_.back()));
     }
     if (options.areaPreserving) area_.emplace(shapes_);
   }
@@ -77,7 +78,8 @@ class SplineMorph {
         std::all_of(convex_.begin() + static_cast<std::ptrdiff_t>(first),
                     convex_.begin() + static_cast<std::ptrdiff_t>(span.last + 1), [](bool each) { return each; });
     SoundRegion made = convex ? byShares(shares, progress) : byLevels(span, first, progress);
-    return area_ ? area_->of({std::move(made)}, shares).shape.region : std::move(made.region);
+    if (area_) made = area_->of({std::move(made)}, shares).shape;
+    return points_.moved(std::move(made.region), shares);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
@@ -103,6 +105,7 @@ class SplineMorph {
   }
 
   std::span<const Region> regions_;
+  PointPlaces points_;
   const ShapeKnots& spline_;
   Adder add_;
   std::vector<SoundRegion> shapes_;

@@ -5,6 +5,9 @@
 #include <vtkCoordinate.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -13,6 +16,7 @@
 #include <vtkProperty.h>
 #include <vtkTexture.h>
 #include <vtkTexturedActor2D.h>
+#include <vtkViewport.h>
 
 #include <QApplication>
 #include <QFontMetricsF>
@@ -99,10 +103,34 @@ vtkSmartPointer<vtkPolyData> rectangle(const QSize& size, const QPointF& shift) 
   return data;
 }
 
-PropPtr flatProp(const QImage& image, const Vec3& at, const QPointF& shift) {
+/// A picture over all else, the lines and points that are brought before everything among it: the depth that these have is
+/// beyond that of the foreground where a driver does not limit it.
+class PictureActor : public vtkTexturedActor2D {
+ public:
+  static PictureActor* New();
+  PictureActor(const PictureActor&) = delete;
+  PictureActor& operator=(const PictureActor&) = delete;
+
+  int RenderOverlay(vtkViewport* viewport) override {
+    auto* const window = vtkOpenGLRenderWindow::SafeDownCast(viewport->GetVTKWindow());
+    if (!window) return vtkTexturedActor2D::RenderOverlay(viewport);
+    constexpr unsigned int depthTest = 0x0B71;  // GL_DEPTH_TEST
+    vtkOpenGLState* const state = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable asBefore(state, depthTest);
+    state->vtkglDisable(depthTest);
+    return vtkTexturedActor2D::RenderOverlay(viewport);
+  }
+
+ protected:
+  PictureActor() = default;
+  ~PictureActor() override = default;
+};
+vtkStandardNewMacro(PictureActor)
+
+    PropPtr flatProp(const QImage& image, const Vec3& at, const QPointF& shift) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
   mapper->SetInputData(rectangle(image.size(), shift));
-  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+  auto actor = vtkSmartPointer<PictureActor>::New();
   actor->SetMapper(mapper);
   actor->SetTexture(textureOf(image));
   actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();

@@ -55,7 +55,7 @@ QString SurfacePullTool::typingProblem() const {
 }
 
 QString SurfacePullTool::typingHint() const {
-  if (const QString problem = typingProblem(); !problem.isEmpty()) return problem;
+  if (QString problem = typingProblem(); !problem.isEmpty()) return problem;
   return entry_->isAngle() ? tr("Type the angle of the twist · Enter takes it · Esc leaves it as it is")
                            : tr("Type where the point goes: x, y, z · Enter takes it · Esc leaves it as it is");
 }

@@ -45,7 +45,7 @@ Vec2 centreOf(const Region& region) {
       }
     }
   if (box.isEmpty()) return Vec2::Zero();
-  const Vec2 middle = box.center();
+  Vec2 middle = box.center();
   const double size = box.sizes().norm();
   if (size == 0) return middle;
   if (!std::isfinite(size)) return Vec2::Zero();

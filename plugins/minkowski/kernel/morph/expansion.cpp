@@ -51,6 +51,7 @@ InBetween Expansion::at(std::span<const double> t, const Progress& progress) con
   const Arguments key(t.begin(), t.end());
   std::map<std::size_t, double> multiples;
   for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
+  terms.reserve(multiples.size() + termsFor_.at(key).size());
   for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
   for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
   if (terms.empty()) return {};  // points alone

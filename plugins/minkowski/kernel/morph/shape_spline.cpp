@@ -125,7 +125,7 @@ ShapeKnots uniformKnots(std::size_t shapes, int degree) {
 ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots) {
   if (degree == 0 && knots.size() > shapes + 1) degree = static_cast<int>(knots.size() - shapes) - 1;
   if (degree == 0 && knots.empty()) degree = static_cast<int>(shapes) - 1;
-  const ShapeKnots spline = knots.empty() ? uniformKnots(shapes, degree) : ShapeKnots{degree, knots};
+  ShapeKnots spline = knots.empty() ? uniformKnots(shapes, degree) : ShapeKnots{degree, knots};
   checkKnots(spline, shapes);
   return spline;
 }

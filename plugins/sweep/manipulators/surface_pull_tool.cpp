@@ -20,11 +20,15 @@ void SurfacePullTool::load() {
   unseen_ = placement_ && placement_->users.empty();
   if (unseen_) placement_.reset();  // a drag would change nothing that is seen
   edits_ = placement_ ? changeableEdits(host(), *placement_, feature()) : std::vector<ChangeableEdit>();
-  if (under_ && under_->of) under_.reset();  // its number was that of an edit before
+  const bool ofEdit = under_ && under_->of;
+  if (ofEdit) under_.reset();  // its number was that of an edit before
   const bool earlier = !edits_.empty() && edits_.front().isFollowed;
   if (selectedLoader_.load(earlier ? edits_.front().made : Shape())) selectedSurface_.reset();
   const Shape motion = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
-  if (loader_.load(motion)) show(nullptr);
+  if (loader_.load(motion))
+    show(nullptr);
+  else if (ofEdit && surface_)
+    lookAgain();
 }
 
 void SurfacePullTool::show(std::shared_ptr<const LiveSurface> surface) {

@@ -112,6 +112,33 @@ class MinkowskiPointsTest : public QObject {
     COMPARE_NEAR(area(inBetween(grows, {0.3}, {.degreeElevate = true})), 0.09 * area(grows.back()), 1e-9);
   }
 
+  /// However little has grown yet: the hull stands for a shape only where that is near enough for its size.
+  void whatHasHardlyGrownHasItsForm() {
+    Random random = seededRandom();
+    for (const double t : {1e-2, 1e-4, 1e-5, 1e-8}) {
+      const Region spiky = polygonRegion(spikyPoints(random, {0, 0}, 20, 9));
+      for (const std::vector<Region>& shapes : {std::vector<Region>{pointRegion({0, 0}), spiky, circleRegion(3)},
+                                                std::vector<Region>{pointRegion({0, 0}), spiky, pointRegion({0, 0})}}) {
+        const Region wanted = minkowskiSum(std::vector<Region>{spiky, spiky}).region;
+        const double share = t * (1 - t), twice = area(wanted) * share * share;
+        const double disc = 3 * t * t * share;  // of the circle, times the perimeter, which is below 1000 mm
+        for (const EvaluationOrder evaluation : everyOrder)
+          COMPARE_NEAR(area(inBetween(shapes, {t, t}, {.evaluation = evaluation})), twice, 1e-9 * twice + 1000 * disc);
+      }
+    }
+  }
+
+  void whatIsSmallerThanTheDigitsIsAPoint() {
+    for (const double t : {1e-200, 1e-16}) QVERIFY(pointIn(inBetween({pointRegion({3, 4}), circleRegion(2)}, {t})));
+    QVERIFY(!pointIn(inBetween({pointRegion({3, 4}), circleRegion(2)}, {1e-9})));
+  }
+
+  void pointsFarAwayAreRefused() {
+    for (const double x : {1.1e9, 1e17, 1e300})
+      QCOMPARE(errorOf([&] { inBetween({pointRegion({x, 2}), circleRegion(2)}, {0.5}); }).code(), ErrorCode::LimitExceeded);
+    QCOMPARE(errorOf([&] { inBetween({pointRegion({NAN, 2}), circleRegion(2)}, {0.5}); }).code(), ErrorCode::InvalidInput);
+  }
+
   void beyondAShapeThatGrowsThereIsMoreOfIt() {
     const std::vector<Region> grows{pointRegion({2, 0}), circleRegion(5)};
     const Region beyond = inBetween(grows, {1.5});

@@ -55,6 +55,7 @@ InBetween Expansion::at(std::span<const double> t, const Progress& progress) con
   for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
   for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
   if (terms.empty()) return {};  // points alone
+  const double tolerance = toleranceAt(t);
   double deviation = errorOfHulls_.at(key);
   const bool many = makeVeryManyCorners(terms);
   if (many) smallestFirst(terms);
@@ -64,7 +65,7 @@ InBetween Expansion::at(std::span<const double> t, const Progress& progress) con
     if (terms.size() <= 2) continue;  // one sum alone stays as it is
     // Half is left for the sums to come, which have the most corners, if not the smallest shapes came first.
     const bool isLast = k + 1 == terms.size();
-    Thinning thin((tolerance_ - deviation) / (many || isLast ? 1 : 2));
+    Thinning thin((tolerance - deviation) / (many || isLast ? 1 : 2));
     total = thin(std::move(total), progress);
     deviation += thin.deepest();
   }
@@ -79,6 +80,14 @@ Expansion::Hull& Expansion::hullOf(std::size_t i, const Progress& progress) {
     hull->distance = std::numbers::sqrt2 * hull->ofOne;
   }
   return *hull;
+}
+
+double Expansion::toleranceAt(std::span<const double> t) const {
+  const std::vector<double> shares = sharesOf(t);
+  double sum = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (!isOrigin(shapes_[i])) sum += shares[i];
+  return tolerance_ * std::min(sum, 1.0);
 }
 
 double Expansion::errorOf(const Term& term, const Progress& progress) {
@@ -112,9 +121,10 @@ const std::vector<Expansion::Term>& Expansion::termsOf(std::span<const double> t
     }
   }
   std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double tolerance = toleranceAt(t);
   double error = 0;
   for (const auto& [more, term] : byError) {
-    if (error + more <= tolerance_) {
+    if (error + more <= tolerance) {
       error += more;
       hulls.push_back(term);
     } else {

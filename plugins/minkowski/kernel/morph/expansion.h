@@ -25,7 +25,7 @@ struct InBetween {
 /// than [2]A is, at most sqrt(2) R (see region_repeat.h).
 class Expansion {
  public:
-  /// @param tolerance that an in-between may differ, mm
+  /// @param tolerance that an in-between may differ, mm; beside points in proportion to what the others' shares add up to
   Expansion(std::span<const SoundRegion> shapes, double tolerance, Adder& add)
       : shapes_(shapes), tolerance_(tolerance), add_(add), hulls_(shapes.size()) {}
 
@@ -34,6 +34,8 @@ class Expansion {
   /// Several threads may ask at the same time.
   /// @pre its repetitions are there
   [[nodiscard]] InBetween at(std::span<const double> t, const Progress&) const;
+  /// What an in-between may differ, mm.
+  [[nodiscard]] double toleranceAt(std::span<const double> t) const;
 
  private:
   struct Term {

@@ -218,7 +218,7 @@ class Morph {
 
   InBetween inBetween(const Arguments& t, const Progress& progress) {
     const auto levels = static_cast<double>(t.size());  // of which each fills dents once
-    Thinning thin(tolerance_ / levels);
+    Thinning thin(expansion_->toleranceAt(t) / levels);
     switch (options_.evaluation) {
       case EvaluationOrder::Recursive: {
         SoundRegion shape = recursive(shapes_, t, add_, thin, progress);

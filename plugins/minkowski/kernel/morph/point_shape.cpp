@@ -1,7 +1,9 @@
 #include "kernel/morph/point_shape.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "geometry/planar/polygons/refusal.h"
 #include "geometry/planar/single_point.h"
 
 namespace blossom::minkowski {
@@ -14,7 +16,11 @@ bool repeatsAsMultiple(const SoundRegion& shape) { return isOrigin(shape) || isC
 
 SoundRegion soundControl(const Region& region, const FlatteningOptions& options, const std::string& name,
                          const Progress& progress) {
-  return pointIn(region) ? SoundRegion() : soundRegion(region, options, name, progress);
+  const auto point = pointIn(region);
+  if (!point) return soundRegion(region, options, name, progress);
+  refuseWhatIsNoNumber(region.loops.front(), "the point", name);
+  refuseFarAway(*point, name);
+  return {};
 }
 
 PointPlaces::PointPlaces(std::span<const Region> shapes) {
@@ -29,7 +35,10 @@ Region PointPlaces::moved(Region made, std::span<const double> shares) const {
   if (!any_) return made;
   Vec2 by = Vec2::Zero();
   for (std::size_t i = 0; i < shares.size(); ++i) by += shares[i] * places_[i];
-  if (made.loops.empty()) return pointRegion(by);
+  // Corners of what is smaller have no places apart.
+  constexpr double share = 0x1p-40;
+  if (made.loops.empty() || looseBox(made.loops).sizes().maxCoeff() < share * std::max(1.0, by.cwiseAbs().maxCoeff()))
+    return pointRegion(by);
   return translated(SoundRegion{std::move(made)}, by).region;
 }
 

@@ -22,7 +22,8 @@ inline bool isOrigin(const SoundRegion& shape) { return shape.region.loops.empty
 /// Whether [k]A = k A for every k.
 bool repeatsAsMultiple(const SoundRegion&);
 
-/// What takes part in sums for a control shape. @throws as soundRegion of flattening.h
+/// What takes part in sums for a control shape. @throws as soundRegion of flattening.h; points, too, are refused beyond 1e9
+/// mm
 SoundRegion soundControl(const Region&, const FlatteningOptions&, const std::string& name, const Progress&);
 
 /// The places of those control shapes that are points. A + w {p} is A moved by w p, so what points contribute to an
@@ -31,7 +32,7 @@ class PointPlaces {
  public:
   explicit PointPlaces(std::span<const Region> shapes);
   /// An in-between of the control shapes with their points at the origin, moved to where these are; the point itself where
-  /// nothing else takes part.
+  /// nothing else takes part, or the rest is smaller than 2^-40 mm or that share of its distance from the origin.
   /// @param shares of all control shapes
   [[nodiscard]] Region moved(Region, std::span<const double> shares) const;
 

@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "features_outline.h"
 #include "features_outline_text.h"
+#include "geometry/planar/single_point.h"
 #include "kernel/outline/outline_shapes.h"
 
 namespace blossom::modeling {
@@ -22,7 +23,7 @@ class Measures {
     }
   }
   void expect(std::size_t count) const {
-    if (parts_.size() != count) refuse(fmt::format("{} measures are wanted, {} are given", count, parts_.size()));
+    if (parts_.size() != count) refuse(fmt::format("{} measures are wanted, {} are given.", count, parts_.size()));
   }
   [[nodiscard]] double length(std::size_t k) const {
     try {
@@ -34,13 +35,13 @@ class Measures {
   [[nodiscard]] int count(std::size_t k) const {
     const double number = length(k);
     if (number != std::floor(number) || number < 0 || number > 10000)
-      refuse(fmt::format("{} must be a whole number up to 10000", formatNumber(number)));
+      refuse(fmt::format("{} must be a whole number up to 10000.", formatNumber(number)));
     return static_cast<int>(number);
   }
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(ErrorCode::InvalidParameter, fmt::format("This is not a proper {}: {}.", form_.name, why),
+    throw Error(ErrorCode::InvalidParameter, fmt::format("This is not a proper {}: {}", form_.name, why),
                 fmt::format("Write {}, with lengths in mm.", form_.syntax));
   }
   const LiteralForm& form_;
@@ -58,8 +59,6 @@ LiteralForm measured(std::string name, std::string syntax, std::string summary, 
   };
   return form;
 }
-
-Shape pointDrawing(const Vec2& at) { return Curves{{Path{{Line2{at, at}}, false, {}, {}}}, FillRule::EvenOdd}; }
 
 LiteralForm textLiteral() {
   return {"text", "text:WORDS", "A text 10 mm high in the standard font.",
@@ -87,7 +86,7 @@ void addOutlineLiterals(Registry& registry) {
                         [=](const M& m) { return rectangle(m.length(0), m.length(1), 0, origin, 0); }));
   registry.add(
       measured("point", "point:X:Y", "A point of the plane, a line without length in a drawing.", 2, [](const M& m) {
-        return pointDrawing({m.length(0), m.length(1)});
+        return Shape(pointDrawing({m.length(0), m.length(1)}));
       }));
   registry.add(textLiteral());
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 #include "support/exchange.h"
 
 using namespace blossom;
@@ -155,6 +156,8 @@ class PageTest : public QObject {
   void curvesKeepTheirPoles();
   void openLinesAreDrawn_data() { bothFormats(); }
   void openLinesAreDrawn();
+  void aPointIsADot_data() { bothFormats(); }
+  void aPointIsADot();
   void thePageIsAsLargeAsTheDrawing();
   void theSameDrawingGivesTheSameFile();
   void aSolidIsRefused();
@@ -208,6 +211,16 @@ void PageTest::curvesKeepTheirPoles() {
     const Vec2 moved = painted[0].loops[0][0][k] - Vec2(1, 1);
     QVERIFY2((moved - poles[k]).norm() < 2 * keptPlaces, fmt::format("{} {}", moved.x(), moved.y()).c_str());
   }
+}
+
+void PageTest::aPointIsADot() {
+  QFETCH(QString, extension);
+  const std::string page = contentOf(pageFile(Shape(pointDrawing({5, 6})), extension.toStdString()), extension.toStdString());
+  QVERIFY2(page.find("1 J") != std::string::npos, "round ends are what is seen of a point");
+  const auto painted = Interpreter().run(page);
+  QCOMPARE(painted.size(), std::size_t{1});
+  QVERIFY(!painted[0].filled);
+  for (const Vec2& p : painted[0].loops.at(0).at(0)) QVERIFY((p - Vec2(1, 1)).norm() < 2 * keptPlaces);
 }
 
 void PageTest::openLinesAreDrawn() {

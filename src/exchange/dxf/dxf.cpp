@@ -35,7 +35,7 @@ Imported readDxf(const std::filesystem::path& path, const Value&, const Progress
   warn(clean.points, "{} points were counted, but a drawing of curves does not keep them.");
   warn(drawing.flattened, "{} entities are not parallel to the drawing plane and were flattened into it.");
   warn(drawing.interpolated, "{} splines are given by fit points only; a cubic spline was laid through them.");
-  warn(drawing.degenerate, "{} entities have no extent and were left out.");
+  if (!isPoint(drawing)) warn(drawing.degenerate, "{} entities have no extent and were left out.");
   return imported;
 }
 

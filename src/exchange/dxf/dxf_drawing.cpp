@@ -85,10 +85,9 @@ class Collector final : public DL_CreationAdapter {
   void addLine(const DL_LineData& d) override {
     if (d.z1 != d.z2) ++drawing_.flattened;
     const Line2 line{{d.x1, d.y1}, {d.x2, d.y2}};
-    if (line.from == line.to)
-      ++drawing_.degenerate;
-    else
-      add({{line}}, false);
+    if (line.from != line.to) return add({{line}}, false);
+    ++drawing_.degenerate;
+    if (target_ == &drawing_.model) drawing_.point = line.from;
   }
   void addArc(const DL_ArcData& d) override {
     const double start = toRadians(d.angle1);

@@ -45,10 +45,14 @@ struct DxfDrawing {
   std::map<std::string, DxfInk> layers;
   int unit = 0;  ///< $INSUNITS
   std::size_t flattened = 0, interpolated = 0, degenerate = 0;
+  std::optional<Vec2> point;  ///< of a line without length outside of blocks
 };
 
 /// Interprets the cleaned text with dxflib. @throws Error FormatDamaged, Cancelled.
 DxfDrawing readDxfDrawing(const CleanDxf&, const Progress&);
+
+/// Whether a drawing is nothing but one line without length, which stands for a point.
+bool isPoint(const DxfDrawing&);
 
 /// Inserts all blocks and converts lengths to mm.
 /// @throws Error FormatDamaged for a block that contains itself or does not exist, LimitExceeded for arrays that are too

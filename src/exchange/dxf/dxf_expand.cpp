@@ -7,6 +7,7 @@
 #include "exchange/dxf/dxf_drawing.h"
 #include "exchange/format/finite.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 
 namespace blossom {
 
@@ -138,6 +139,10 @@ class Expander {
 
 }  // namespace
 
+bool isPoint(const DxfDrawing& drawing) {
+  return drawing.point && drawing.degenerate == 1 && drawing.model.items.empty();
+}
+
 Curves expandDxf(const DxfDrawing& drawing, std::vector<std::string>& warnings, const Progress& progress) {
   double unit = millimetres(drawing.unit);
   if (unit == 0) {
@@ -151,6 +156,7 @@ Curves expandDxf(const DxfDrawing& drawing, std::vector<std::string>& warnings, 
                                    expander.missing().size(), shown(*expander.missing().begin())));
   if (expander.collapsed() > 0)
     warnings.push_back(fmt::format("{} blocks are scaled to nothing and were left out.", expander.collapsed()));
+  if (isPoint(drawing)) return pointDrawing(unit * *drawing.point);
   return curves;
 }
 

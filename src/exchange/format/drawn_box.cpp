@@ -1,5 +1,7 @@
 #include "exchange/format/drawn_box.h"
 
+#include "geometry/planar/segment_box.h"
+
 namespace blossom {
 namespace {
 
@@ -7,17 +9,25 @@ class GrowingBox {
  public:
   void add(const Curves& curves, double chord) {
     for (const Path& path : curves.paths)
-      for (const Vec2& p : flatten(path, chord)) {
-        box_.low = first_ ? p : Vec2(box_.low.cwiseMin(p));
-        box_.high = first_ ? p : Vec2(box_.high.cwiseMax(p));
-        first_ = false;
+      for (const Segment& segment : path.segments) {
+        if (std::holds_alternative<Spline2>(segment))
+          addSpline(segment, chord);
+        else
+          box_.extend(boxAround(segment));
       }
   }
-  [[nodiscard]] const DrawnBox& box() const { return box_; }
+  [[nodiscard]] DrawnBox box() const { return box_.isEmpty() ? DrawnBox{} : DrawnBox{box_.min(), box_.max()}; }
 
  private:
-  DrawnBox box_;
-  bool first_ = true;
+  /// The poles of a spline may lie far outside of it; a chain of chords lies within the chord of it.
+  void addSpline(const Segment& spline, double chord) {
+    for (const Vec2& p : flatten(Path{{spline}, false, {}, {}}, chord)) {
+      box_.extend(Vec2(p - Vec2(chord, chord)));
+      box_.extend(Vec2(p + Vec2(chord, chord)));
+    }
+  }
+
+  Box2 box_;
 };
 
 }  // namespace

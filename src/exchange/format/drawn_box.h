@@ -12,7 +12,8 @@ struct DrawnBox {
   [[nodiscard]] Vec2 size() const { return high - low; }
 };
 
-/// Bounding box of all curves of the drawings, up to the chord; a point at the origin when there are none.
+/// Bounding box of all curves of the drawings: the least one around lines and arcs, at most twice the chord wider on a side
+/// than a spline. A point at the origin when there are none.
 DrawnBox drawnBox(const std::vector<Curves>& drawings, double chord);
 /// The box of all frames of a sequence, which is the page that they share. Frames that are no drawings have no part in it.
 /// O(curves). @throws Error Cancelled.

@@ -60,6 +60,7 @@ void addPath(cairo_t* page, const Path& path, double tolerance) {
 void drawCurves(cairo_t* page, const Curves& curves, double tolerance, const Progress& progress) {
   cairo_set_line_width(page, lineWidth);
   cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(page, CAIRO_LINE_CAP_ROUND);  // so that a point is seen
   cairo_set_fill_rule(page, curves.fillRule == FillRule::EvenOdd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
   for (std::size_t i = 0; i < curves.paths.size();) {
     progress.check();

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "exchange/format/text.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 
 namespace blossom::svg {
 namespace {
@@ -38,6 +39,7 @@ class Builder final : public Geom::PathSink {
   void lineTo(const Geom::Point& p) override {
     const Vec2 to = checked(p);
     if (to != at_) current_.segments.push_back(Line2{at_, to});
+    isPoint_ = to == at_;
     at_ = to;
   }
   void curveTo(const Geom::Point& a, const Geom::Point& b, const Geom::Point& p) override {
@@ -82,13 +84,16 @@ class Builder final : public Geom::PathSink {
 
   void finish(bool closed) {
     current_.closed = closed;
+    if (current_.segments.empty() && isPoint_) current_ = pointDrawing(at_).paths.front();
     if (!current_.segments.empty()) paths_.push_back(std::move(current_));
     current_ = {};
+    isPoint_ = false;
   }
 
   std::vector<Path> paths_;
   Path current_;
   Vec2 start_{0, 0}, at_{0, 0};
+  bool isPoint_ = false;  ///< the last line has no length
   bool allGood_ = true;
 };
 

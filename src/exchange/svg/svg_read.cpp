@@ -16,6 +16,7 @@
 #include "exchange/svg/svg_shapes.h"
 #include "exchange/svg/svg_values.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 
 namespace blossom::svg {
 
@@ -284,6 +285,10 @@ class Reader {
     segments_ += path.segments.size();
     if (segments_ > maximumSegments)
       throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", maximumSegments));
+    if (const auto point = singlePoint({&path, 1})) {
+      points_.emplace_back(place * *point);
+      return;
+    }
     if (filled && !path.closed) close(path);
     Path placed = transformed(std::move(path), Eigen::Matrix<double, 2, 3>(place.affine()));
     if (!allFinite(placed)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is not a number.");
@@ -319,6 +324,9 @@ class Reader {
     warn(
         outside_ > 0,
         fmt::format("Read whole, although the window of a nested svg or symbol may crop them: {} of its shapes.", outside_));
+    const bool isPoint = curves_.paths.empty() && points_.size() == 1 && points_.front().allFinite();
+    if (isPoint) curves_ = pointDrawing(points_.front());
+    warn(!isPoint && !points_.empty(), fmt::format("{} paths without length were left out.", points_.size()));
     warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
     curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
     imported.entities = entities_.toValue();
@@ -334,6 +342,7 @@ class Reader {
   std::map<std::string, Declarations, std::less<>> rules_;
   Lengths lengths_;
   Curves curves_;
+  std::vector<Vec2> points_;  ///< paths without length
   Counter entities_, skipped_;
   std::set<std::string> open_;
   std::vector<CropWindow> windows_;  ///< that the element being read lies in

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "exchange/format/text.h"
 #include "exchange/svg/svg_path.h"
+#include "geometry/planar/single_point.h"
 
 namespace blossom::svg {
 
@@ -32,8 +33,8 @@ std::vector<Path> polygon(const std::vector<double>& v, bool closed) {
     const Vec2 from(v[2 * i], v[2 * i + 1]), to(v[2 * j], v[2 * j + 1]);
     if (from != to) path.segments.push_back(Line2{from, to});
   }
+  if (path.segments.empty()) return n < 2 ? std::vector<Path>{} : pointDrawing({v[0], v[1]}).paths;
   path.closed = closed;
-  if (path.segments.empty()) return {};
   return {path};
 }
 

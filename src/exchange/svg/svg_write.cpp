@@ -22,6 +22,8 @@
 namespace blossom::svg {
 namespace {
 
+constexpr double lineWidth = 0.25;  // of what is open, in mm
+
 class PathWriter {
  public:
   PathWriter(double mirror, double tolerance) : mirror_(mirror), tolerance_(tolerance) {}
@@ -100,7 +102,8 @@ std::string attributes(const std::string& layer, const std::optional<Color>& col
   std::string result;
   if (filled && color) result = fmt::format(" fill=\"{}\"", toHex(*color));
   if (!filled)
-    result = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"0.25\"", color ? toHex(*color) : "currentColor");
+    result = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                         color ? toHex(*color) : "currentColor", formatNumber(lineWidth));
   if (filled && rule == FillRule::EvenOdd) result += " fill-rule=\"evenodd\"";
   if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escapedXml(layer)) + result;
   return result;
@@ -163,6 +166,17 @@ std::vector<Curves> drawingsOf(const Shape& shape) {
   return drawings;
 }
 
+/// A page that also holds the width of the lines, which are drawn for paths that are open.
+DrawnBox withLineWidth(DrawnBox box, const std::vector<Curves>& drawings) {
+  const auto isOpen = [](const Path& path) { return !path.closed; };
+  const auto hasLines = [&](const Curves& curves) { return std::any_of(curves.paths.begin(), curves.paths.end(), isOpen); };
+  if (std::any_of(drawings.begin(), drawings.end(), hasLines)) {
+    box.low.array() -= lineWidth / 2;
+    box.high.array() += lineWidth / 2;
+  }
+  return box;
+}
+
 double toleranceOf(const Value& options) { return options.value("tolerance", 1e-3); }
 double chordOfPage(const Value& options) { return std::max(toleranceOf(options), 1e-2); }
 
@@ -212,14 +226,14 @@ std::string contactSheet(const PageSheet& sheet, const std::vector<Curves>& draw
 }  // namespace
 
 DrawnBox sharedPage(const Sequence& sequence, const Value& options, const Progress& progress) {
-  return drawnBox(sequence, chordOfPage(options), progress);
+  return withLineWidth(drawnBox(sequence, chordOfPage(options), progress), drawingsOf(Shape(sequence)));
 }
 
 void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress,
                    const DrawnBox* given) {
   const std::vector<Curves> drawings = drawingsOf(shape);
   const double tolerance = toleranceOf(options);
-  const DrawnBox box = given ? *given : drawnBox(drawings, chordOfPage(options));
+  const DrawnBox box = given ? *given : withLineWidth(drawnBox(drawings, chordOfPage(options)), drawings);
   const auto* sequence = shape.get<Sequence>();
   if (sequence && sheetCells(options) > 0) {
     if (options.value("animate", false))

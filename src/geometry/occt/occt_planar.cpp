@@ -67,7 +67,8 @@ bool isNothing(const Segment& segment) {
     place = fmt::format(" at ({:.6g}, {:.6g})", start.x(), start.y());
   }
   throw Error(ErrorCode::Degenerate, fmt::format("The path{} has no length, so it has no edges.", place),
-              "Remove it from the drawing.");
+              "Remove it from the drawing. If it is the first or last frame of a morph out of a point, begin or end the morph "
+              "beside the point.");
 }
 
 class WireBuilder {

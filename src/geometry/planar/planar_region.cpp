@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/planar_bezier.h"
+#include "geometry/planar/single_point.h"
 
 namespace blossom {
 namespace {
@@ -146,6 +147,10 @@ Region toRegion(const Curves& curves, const Tolerance& tolerance) {
     const bool counterClockwise = loops[i].area > 0;
     region.loops.push_back(counterClockwise == side.inside ? paths[i] : reversed(paths[i]));
   }
+  if (const auto point = singlePoint(curves.paths))
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("The drawing is the point ({:.6g}, {:.6g}) and encloses no area.", point->x(), point->y()),
+                "Draw at least one closed outline. Morphs and Minkowski sums take points.");
   if (region.loops.empty())
     throw Error(ErrorCode::InvalidInput, "The curves enclose no area.",
                 "Draw at least one closed outline that does not cross itself.");

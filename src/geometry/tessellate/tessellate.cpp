@@ -6,6 +6,7 @@
 #include "geometry/bspline/bspline.h"
 #include "geometry/numeric/point_merge.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/single_point.h"
 #include "geometry/shape/bounds.h"
 #include "geometry/tessellate/tessellate_parts.h"
 
@@ -53,6 +54,8 @@ void addOutlines(const std::vector<Path>& paths, double chord, const Progress& p
 Tessellation tessellateCurves(const Curves& curves, double chord, const Progress& progress) {
   Tessellation result;
   addOutlines(curves.paths, chord, progress, result);
+  for (const Path& path : curves.paths)
+    if (const auto point = singlePoint({&path, 1})) result.markers.emplace_back(point->x(), point->y(), 0);
   return result;
 }
 

@@ -93,6 +93,11 @@ Framing frameAll(const std::vector<Vec3>& points, const Turn& turn, double aspec
   }
   framing.target = right * x.middle() + up * y.middle() + back * z.middle();
   const double usable = 1 - 2 * margin;
+  if (std::max({x.half(), y.half(), z.half()}) <= 1e-9) {  // one point, which has no size of its own
+    framing.parallelScale = 10;
+    framing.distance = framing.parallelScale / std::tan(toRadians(viewAngle) / 2);
+    return framing;
+  }
   const double size = std::max({x.half(), y.half(), z.half(), 1e-9});
   framing.parallelScale = std::max({y.half(), x.half() / aspect, size * 1e-3}) / usable;
   const double tangent = std::tan(toRadians(viewAngle) / 2) * usable;

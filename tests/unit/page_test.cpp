@@ -215,7 +215,8 @@ void PageTest::curvesKeepTheirPoles() {
 
 void PageTest::aPointIsADot() {
   QFETCH(QString, extension);
-  const std::string page = contentOf(pageFile(Shape(pointDrawing({5, 6})), extension.toStdString()), extension.toStdString());
+  const std::string page =
+      contentOf(pageFile(Shape(pointDrawing({5, 6})), extension.toStdString()), extension.toStdString());
   QVERIFY2(page.find("1 J") != std::string::npos, "round ends are what is seen of a point");
   const auto painted = Interpreter().run(page);
   QCOMPARE(painted.size(), std::size_t{1});

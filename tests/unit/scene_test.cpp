@@ -62,6 +62,7 @@ class SceneTest : public QObject {
   void piecesOfALargeShapeAreItsFaces();
   void edgesHaveColoursOfTheirOwn();
   void aFramedSphereTouchesTheMarginExactly();
+  void aPointAloneIsFramed();
   void namedViewsAreRightHandedFrames();
   void pictureShowsTheShapeInTheMiddleAndCanvasAtTheCorners();
   void pictureLargerThanATileHasNoSeams();
@@ -140,6 +141,14 @@ void SceneTest::aFramedSphereTouchesTheMarginExactly() {
   COMPARE_NEAR(framing.distance, radius / std::sin(std::atan(tangent)), 1e-2);
   COMPARE_NEAR(framing.target.norm(), 0, 1e-2);
   COMPARE_NEAR(framing.parallelScale, radius / (1 - 2 * margin), 1e-2);
+}
+
+void SceneTest::aPointAloneIsFramed() {
+  const Vec3 point(3, 4, 5);
+  const Framing framing = frameAll({point}, turnOf("top"), 1.5, 30);
+  COMPARE_NEAR((framing.target - point).norm(), 0, 1e-12);
+  QVERIFY2(framing.parallelScale > 1, "a view of no size shows nothing");
+  QVERIFY(framing.distance > 1);
 }
 
 void SceneTest::namedViewsAreRightHandedFrames() {

@@ -139,9 +139,7 @@ class Expander {
 
 }  // namespace
 
-bool isPoint(const DxfDrawing& drawing) {
-  return drawing.point && drawing.degenerate == 1 && drawing.model.items.empty();
-}
+bool isPoint(const DxfDrawing& drawing) { return drawing.point && drawing.degenerate == 1 && drawing.model.items.empty(); }
 
 Curves expandDxf(const DxfDrawing& drawing, std::vector<std::string>& warnings, const Progress& progress) {
   double unit = millimetres(drawing.unit);

@@ -102,8 +102,9 @@ std::string attributes(const std::string& layer, const std::optional<Color>& col
   std::string result;
   if (filled && color) result = fmt::format(" fill=\"{}\"", toHex(*color));
   if (!filled)
-    result = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-                         color ? toHex(*color) : "currentColor", formatNumber(lineWidth));
+    result =
+        fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                    color ? toHex(*color) : "currentColor", formatNumber(lineWidth));
   if (filled && rule == FillRule::EvenOdd) result += " fill-rule=\"evenodd\"";
   if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escapedXml(layer)) + result;
   return result;

@@ -66,9 +66,10 @@ bool isNothing(const Segment& segment) {
     const Vec2 start = startPoint(path);
     place = fmt::format(" at ({:.6g}, {:.6g})", start.x(), start.y());
   }
-  throw Error(ErrorCode::Degenerate, fmt::format("The path{} has no length, so it has no edges.", place),
-              "Remove it from the drawing. If it is the first or last frame of a morph out of a point, begin or end the morph "
-              "beside the point.");
+  throw Error(
+      ErrorCode::Degenerate, fmt::format("The path{} has no length, so it has no edges.", place),
+      "Remove it from the drawing. If it is the first or last frame of a morph out of a point, begin or end the morph "
+      "beside the point.");
 }
 
 class WireBuilder {

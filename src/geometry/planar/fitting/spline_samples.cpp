@@ -53,7 +53,7 @@ class PieceSampler {
 
   /// Adds the samples after the start. An inflection is one, for along a chord across it the normal turns there and back.
   void run(std::vector<CurveSample>& out) const {
-    constexpr int deepest = 12;
+    constexpr int deepest = 20;
     if (!(size_ > 0)) return;
     std::vector<double> ends = inflectionsOf(piece_);
     ends.push_back(1);

@@ -2,10 +2,27 @@
 #include "features_outline.h"
 #include "core/angle.h"
 #include "feature_groups.h"
+#include "geometry/planar/single_point.h"
 #include "kernel/outline/outline_shapes.h"
 
 namespace blossom::modeling {
 namespace {
+
+struct PointParameters {
+  Vec3 at = Vec3::Zero();
+};
+
+FeatureType pointFeature() {
+  using P = PointParameters;
+  return feature<P>("modeling.point", "Point", "A point of the plane, out of which a shape can grow in a morph.")
+      .icon("point")
+      .produces({ShapeKind::Curves})
+      .parameter("at", &P::at, point(), "Where it is, in the plane z = 0.")
+      .example("blossom point --at 5,-6,0 -o point.svg")
+      .evaluate([](const P& p, const Inputs&, const Progress&) -> Evaluated {
+        return {Shape(pointDrawing(inPlane(p.at))), Value::object(), {}};
+      });
+}
 
 Evaluated made(Region region) { return {std::move(region), Value::object(), {}}; }
 
@@ -153,7 +170,7 @@ Vec2 inPlane(const Vec3& p) {
 }
 
 void registerOutlines(Registry& registry) {
-  registry.addAll(circleFeature(), ellipseFeature(), polygonFeature(), starFeature(), rectangleFeature(), slotFeature(),
+  registry.addAll(pointFeature(), circleFeature(), ellipseFeature(), polygonFeature(), starFeature(), rectangleFeature(), slotFeature(),
                   textFeature(), drawnFeature());
   addOutlineLiterals(registry);
 }

@@ -399,6 +399,18 @@
         <translation>Ein Käfig, dessen Grenzfläche oder -kurve zu einem nahen Ziel gezogen ist; weiter entfernte Teile bleiben.</translation>
     </message>
     <message>
+        <source>A point of the plane, out of which a shape can grow in a morph.</source>
+        <translation>Ein Punkt der Ebene, aus dem in einem Morph eine Form wachsen kann.</translation>
+    </message>
+    <message>
+        <source>Where it is, in the plane z = 0.</source>
+        <translation>Wo er liegt, in der Ebene z = 0.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
         <source>A circle, as one exact arc.</source>
         <translation>Ein Kreis als ein exakter Bogen.</translation>
     </message>

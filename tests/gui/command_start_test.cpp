@@ -24,6 +24,7 @@ class CommandStartTest : public WindowFixture {
   void theAnswerMayComeFromTheTree();
   void whereOneShapeFitsItIsTaken();
   void whereNothingFitsItIsSaid();
+  void inputsAreInTheOrderOfTheSelection();
 
  private:
   void selectNothing() { window_->tree().select({}); }
@@ -180,6 +181,17 @@ void CommandStartTest::whereOneShapeFitsItIsTaken() {
   run("feature.modeling.boolean");
   QCOMPARE(window_->page().document().at(last()).inputs, (std::vector<FeatureId>{first, second}));
   waitUntilComputed();
+}
+
+void CommandStartTest::inputsAreInTheOrderOfTheSelection() {
+  const FeatureId circle = add("modeling.circle", {{"radius", 5}});
+  const FeatureId rectangle = add("modeling.rectangle", {{"width", 60}, {"height", 40}});
+  window_->tree().select(rectangle);
+  window_->tree().select(circle, true);
+  run("feature.minkowski.minkowski-difference");
+  waitUntilComputed();
+  QCOMPARE(window_->page().document().at(last()).inputs, (std::vector<FeatureId>{rectangle, circle}));
+  COMPARE_NEAR(measureOf(last(), "area"), 50 * 30, 1e-6);
 }
 
 void CommandStartTest::whereNothingFitsItIsSaid() {

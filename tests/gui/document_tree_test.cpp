@@ -28,6 +28,8 @@ class DocumentTreeTest : public TreeFixture {
   void draggedOntoAPlace();
   void movedTogetherInEveryOrder();
   void deletedWithWhatUsesIt();
+  void theOfferGoesWhenTheDocumentChanges();
+  void whatIsSelectedKeepsItsTurn();
   void suppressedInsteadOfDeleted();
   void suppressedAndComputedAgain();
   void foundByNameTypeAndState();
@@ -180,6 +182,27 @@ void DocumentTreeTest::deletedWithWhatUsesIt() {
   trigger("edit.delete");
   QCOMPARE(order(), (std::vector<FeatureId>{"a", "b", "c"}));
   undo();
+}
+
+/// What is told of a document is not told of another one.
+void DocumentTreeTest::theOfferGoesWhenTheDocumentChanges() {
+  choose({"c"});
+  trigger("edit.duplicate");
+  choose({"a"});
+  trigger("edit.delete");
+  QVERIFY(!window_->errors().isHidden());
+  undo();
+  QVERIFY(window_->errors().isHidden());
+}
+
+void DocumentTreeTest::whatIsSelectedKeepsItsTurn() {
+  choose({"c"});
+  window_->tree().select("a", true);
+  window_->tree().select("d", true);
+  QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"c", "a", "d"}));
+  QCOMPARE(window_->tree().selected(), (std::vector<FeatureId>{"a", "c", "d"}));
+  window_->tree().select("a", true);
+  QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"c", "d"}));
 }
 
 void DocumentTreeTest::suppressedInsteadOfDeleted() {

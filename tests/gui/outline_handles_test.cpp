@@ -105,6 +105,7 @@ void OutlineHandlesTest::everyHandleMovesItsShape_data() {
   const QPointF centre(0, 0);
   for (const char* name : {"circle", "ellipse", "polygon", "star", "rectangle", "slot"})
     QTest::addRow("centre of %s", name) << name << centre << QPointF(50, 30) << "centre" << 50.0;
+  QTest::newRow("point") << "point" << centre << QPointF(20, 10) << "at" << 20.0;
   QTest::newRow("text") << "text" << centre << QPointF(20, 10) << "at" << 20.0;
   QTest::newRow("circle") << "circle" << QPointF(10, 0) << QPointF(30, 0) << "radius" << 30.0;
   QTest::newRow("ellipse a") << "ellipse" << QPointF(20, 0) << QPointF(0, 30) << "rotation" << 90.0;

@@ -22,6 +22,8 @@ class TimelineWindowTest : public WindowFixture {
   void aClickOnTheGrooveJumpsThere();
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
+  void theSkinFollowsTheKeys();
+  void playKeepsTheFocus();
   void theTimelineGoesWithItsSequence();
   void aSelectedSequenceIsExtruded();
   void digitsInTheFieldOfTheTimeAreNoShortcuts();
@@ -140,6 +142,41 @@ void TimelineWindowTest::onionSkinShowsTheOthers() {
   QVERIFY(changedAround(half));
   run("timeline.onion-skin");
   QCOMPARE(canvas(), alone);
+}
+
+void TimelineWindowTest::theSkinFollowsTheKeys() {
+  window_->tree().select(last());
+  slider().setValue(10);
+  window_->view().fit(false);
+  run("timeline.onion-skin");
+  const QImage evenly = canvas();
+  const Value keys = {{{"frame", 1}, {"t", 0}}, {{"frame", 9}, {"t", 0.1}}, {{"frame", 11}, {"t", 1}}};
+  Session& session = window_->session();
+  Feature feature = session.document().at(last());
+  feature.parameters["keys"] = keys;
+  session.commit(session.document().with(feature), QStringLiteral("Keys"));
+  waitUntilComputed();
+  QVERIFY(canvas() != evenly);
+  feature.parameters.erase("keys");
+  session.commit(session.document().with(feature), QStringLiteral("No keys"));
+  waitUntilComputed();
+  QCOMPARE(canvas(), evenly);
+}
+
+/// While the frames are computed, the button that was pressed keeps the focus: keys that follow must not end in a field.
+void TimelineWindowTest::playKeepsTheFocus() {
+  edit("frames", "0");
+  waitUntilComputed();
+  window_->tree().select(last());
+  auto* const play = timeline().findChild<QToolButton*>(QStringLiteral("play"));
+  QVERIFY(play && play->isVisible());
+  play->setFocus();
+  QTest::mouseClick(play, Qt::LeftButton);
+  QVERIFY(window_->session().evaluating());
+  QVERIFY(timeline().isVisible());
+  waitUntilComputed();
+  QTRY_VERIFY(playback().count() > 1);
+  QVERIFY2(!qobject_cast<QLineEdit*>(QApplication::focusWidget()), "the name field");
 }
 
 void TimelineWindowTest::theTimelineGoesWithItsSequence() {

@@ -79,6 +79,13 @@ class MinkowskiPlacementTest : public QObject {
     }
   }
 
+  /// A curve that is a whole outline has both of its ends in one point of the boundary.
+  void theCentreOfOneClosedCurveIsInItsMiddle() {
+    const Vec2 middle(7, -3);
+    const Region oval{{Path{{ellipticArc(middle, {4, 3}, 0.4, 0.6, 2 * std::numbers::pi)}, true, {}, {}}}};
+    COMPARE_NEAR((centreOf(oval) - middle).norm(), 0, 1e-2);
+  }
+
   void arcsStayArcs() {
     const Region disc = placed(circleRegion(5), {.scale = 0.3, .turn = 17, .offset = {1, 2}});
     for (const Segment& segment : disc.loops.at(0).segments) {

@@ -235,7 +235,7 @@ void DocumentCommands::fillContextMenu(QMenu& menu) {
     add({"view.fit", "view.home"});
     return;
   }
-  const std::vector<QAction*> takers = featureMenus_.taking(page_->tree().selected());
+  const std::vector<QAction*> takers = featureMenus_.taking(page_->tree().selectedInTurn());
   if (!takers.empty()) {
     QMenu* use = menu.addMenu(tr("&Make from it"));
     use->addActions(QList<QAction*>(takers.begin(), takers.end()));

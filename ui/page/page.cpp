@@ -182,7 +182,8 @@ void DocumentPage::refreshTimeline() {
     playback_.setCount(count);
     playback_.setOffered(count < 2 && offeredSequence());
   }
-  timeline_->setVisible(playback_.playable());
+  const bool stays = session_.evaluating() && !timeline_->isHidden();  // the sequence to play is being computed
+  timeline_->setVisible(playback_.playable() || stays);
   refreshKeys();
 }
 

@@ -26,6 +26,7 @@ const QString studyKey = QStringLiteral("c");
 
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
+    errors_->documentChanged();
     refreshTimeline();
     view_->markItems();
     measurements_.documentChanged();
@@ -104,6 +105,7 @@ void DocumentPage::connectNotes() {
   connect(&session_, &Session::evaluationCancelled, this, [this] {
     errors_->showNote(tr("Computing was cancelled."), tr("What was ready is shown."));
     errors_->offer(tr("Compute"), [this] { session_.compute(); });
+    errors_->untilChange();
   });
 }
 
@@ -146,6 +148,7 @@ void DocumentPage::connectWidgets() {
   connect(tree_, &DocumentTree::refused, this, [this](const Error& error, const std::vector<Offer>& offers) {
     showError(error);
     for (const Offer& offer : offers) errors_->offer(offer.label, offer.go);
+    errors_->untilChange();
   });
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);

@@ -65,7 +65,12 @@ void ErrorBar::present(const char* kind, const QString& message, const QString& 
     old->widget()->deleteLater();  // it may be the one whose click is being answered
     delete old;
   }
+  untilChange_ = false;
   show();
+}
+
+void ErrorBar::documentChanged() {
+  if (untilChange_) hide();
 }
 
 void ErrorBar::showError(const QString& message, const QString& hint) {

@@ -24,6 +24,9 @@ class ErrorBar : public PassingBar {
   void showNote(const QString& message, const QString& details);
   /// Adds a button, e.g. "Open what is readable"; the first one added is leftmost.
   void offer(const QString& label, std::function<void()> action);
+  /// What is shown is about the document as it is now, and hides when that changes.
+  void untilChange() { untilChange_ = true; }
+  void documentChanged();
   [[nodiscard]] QString message() const;
   [[nodiscard]] QString hint() const;
 
@@ -36,6 +39,7 @@ class ErrorBar : public PassingBar {
   QLabel* message_;
   QLabel* hint_;
   QHBoxLayout* offers_;
+  bool untilChange_ = false;
 };
 
 }  // namespace blossom::ui

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "document/edits.h"
+#include "ui/look/character_key.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 #include "ui/tree/document_delegate.h"
@@ -49,6 +50,14 @@ std::vector<FeatureId> DocumentTree::selected() const {
   for (const auto& feature : session_.document().features())
     if (chosen.contains(feature->id)) ids.push_back(feature->id);
   return ids;
+}
+
+std::vector<FeatureId> DocumentTree::selectedInTurn() const {
+  std::vector<FeatureId> fresh = selected(), inTurn;
+  for (const FeatureId& id : turn_)
+    if (std::erase(fresh, id) > 0) inTurn.push_back(id);
+  inTurn.insert(inTurn.end(), fresh.begin(), fresh.end());
+  return inTurn;
 }
 
 void DocumentTree::select(const FeatureId& id, bool extend) {
@@ -176,6 +185,8 @@ void DocumentTree::keyPressEvent(QKeyEvent* event) {
     toggleSelected();
   else if ((fold || unfold) && currentIndex().data(DocumentModel::StepsRole).toBool())
     setFolded(current(), fold);
+  else if (isCharacterKey(*event))
+    event->ignore();  // a key of the view: names are found by the filter
   else
     QListView::keyPressEvent(event);
 }
@@ -240,6 +251,7 @@ std::size_t DocumentTree::placeOf(const FeatureId& id) const {
 
 void DocumentTree::selectionChanged(const QItemSelection& now, const QItemSelection& before) {
   QListView::selectionChanged(now, before);
+  turn_ = selectedInTurn();
   emit selectionChangedTo();
 }
 

@@ -21,6 +21,7 @@ class DocumentTree : public QListView {
   explicit DocumentTree(Session&, QWidget* parent = nullptr);
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; `current()` is the current one
+  [[nodiscard]] std::vector<FeatureId> selectedInTurn() const;  ///< as they were selected, one after the other
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectThese(const std::vector<FeatureId>&);
@@ -83,6 +84,7 @@ class DocumentTree : public QListView {
   DocumentModel* model_;
   QStringList filter_;
   std::map<FeatureId, bool> beforeIsolation_;
+  std::vector<FeatureId> turn_;  ///< what was selected after the last change of the selection, first to last
 };
 
 }  // namespace blossom::ui

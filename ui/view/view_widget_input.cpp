@@ -14,6 +14,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/look/character_key.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 #include "ui/view/curvature_legend.h"
@@ -259,6 +260,12 @@ bool ViewWidget::offerKey(const QKeyEvent& event) {
     emit toolDismissed();
   }
   return keyOffer_ == KeyOffer::Taken;
+}
+
+bool ViewWidget::takeKeyFromElsewhere(const QKeyEvent& event) {
+  if (hasFocus() || !isCharacterKey(event)) return false;
+  offerKey(event);
+  return std::exchange(keyOffer_, KeyOffer::None) == KeyOffer::Taken;
 }
 
 void ViewWidget::keyPressEvent(QKeyEvent* event) {

@@ -162,7 +162,7 @@ void MainWindow::connectPage(DocumentPage& page) {
   DocumentPage* const sender = &page;
   connect(sender, &DocumentPage::selectionChanged, this, [this, sender] {
     if (sender != &this->page()) return;
-    featureMenus_->setSelection(tree().selected());
+    featureMenus_->setSelection(tree().selectedInTurn());
     followState();
   });
   connect(sender, &DocumentPage::stateChanged, this, [this, sender] {
@@ -210,7 +210,7 @@ void MainWindow::followShown() {
   DocumentPage& shown = page();
   featureMenus_->setPage(&shown);
   documentCommands_->setPage(&shown);
-  featureMenus_->setSelection(shown.tree().selected());
+  featureMenus_->setSelection(shown.tree().selectedInTurn());
   for (const char* key : {"a", "b", "c"}) status_->endWork(QLatin1String(key));
   status_->setHint(shown.tool() ? shown.tool()->hint() : ViewWidget::idleHint());
   refreshActions();
@@ -241,7 +241,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (session().modified()) files_->save(page());
     return;
   }
-  if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
+  if (event->key() != Qt::Key_Escape) {
+    if (!page().view().takeKeyFromElsewhere(*event)) QMainWindow::keyPressEvent(event);
+    return;
+  }
   if (page().toolStarted())
     page().endTool();
   else if (errors().isVisible())

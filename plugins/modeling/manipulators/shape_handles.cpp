@@ -151,13 +151,16 @@ const std::map<std::string, Behaviour>& behaviours() {
   return all;
 }
 
-constexpr const char* textType = "modeling.text";
+/// Shapes that can be moved and nothing else.
+constexpr std::array movedTypes{"modeling.text", "modeling.point"};
+
+bool isOnlyMoved(const std::string& type) { return std::find(movedTypes.begin(), movedTypes.end(), type) != movedTypes.end(); }
 
 }  // namespace
 
 const std::vector<std::string>& typesWithHandles() {
   static const std::vector<std::string> types = [] {
-    std::vector<std::string> names{textType};
+    std::vector<std::string> names(movedTypes.begin(), movedTypes.end());
     for (const auto& [name, behaviour] : behaviours()) names.push_back(name);
     return names;
   }();
@@ -165,7 +168,7 @@ const std::vector<std::string>& typesWithHandles() {
 }
 
 std::vector<ShapeHandle> shapeHandles(const std::string& featureType, const Value& parameters) {
-  if (featureType == textType) return {{place(parameters, "at"), HandleRole::Centre}};
+  if (isOnlyMoved(featureType)) return {{place(parameters, "at"), HandleRole::Centre}};
   std::vector<ShapeHandle> handles{{centre(parameters), HandleRole::Centre}};
   for (const ShapeHandle& handle : behaviours().at(featureType).handles(parameters)) handles.push_back(handle);
   return handles;
@@ -194,7 +197,7 @@ std::vector<ShapeDimension> shapeDimensions(const std::string& featureType, cons
 std::optional<Value> draggedHandle(const std::string& featureType, const Value& parameters, std::size_t handle,
                                    const Vec2& to) {
   Value next = parameters;
-  if (featureType == textType) {
+  if (isOnlyMoved(featureType)) {
     next["at"] = Value::array({to.x(), to.y(), parameters.at("at").at(2)});
     return next;
   }

@@ -5,6 +5,7 @@
 
 #include "geometry/numeric/boxes.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_box.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -36,14 +37,7 @@ Vec2 centroid(const Region& region, double chord) {
 Vec2 centreOf(const Region& region) {
   Box2 box;
   for (const Path& loop : region.loops)
-    for (const Segment& segment : loop.segments) {
-      box.extend(startPoint(segment));
-      box.extend(endPoint(segment));
-      if (const auto* arc = std::get_if<Arc2>(&segment)) {
-        box.extend(arc->center - Vec2(arc->radius, arc->radius));
-        box.extend(arc->center + Vec2(arc->radius, arc->radius));
-      }
-    }
+    for (const Segment& segment : loop.segments) box.extend(boxAround(segment));
   if (box.isEmpty()) return Vec2::Zero();
   Vec2 middle = box.center();
   const double size = box.sizes().norm();

@@ -45,6 +45,7 @@ class KeptPropsTest : public QObject {
   }
   void whatIsMadeAlikeStaysAndShowsTheNew();
   void whatIsOfAnotherSortIsReplacedInItsOrder();
+  void theDataGivenStayAsTheyWere();
   void labelsAreAlwaysTheNewOnes();
 
  private:
@@ -72,6 +73,18 @@ void KeptPropsTest::whatIsMadeAlikeStaysAndShowsTheNew() {
   QCOMPARE(actorOf(first[0]).GetProperty()->GetLineWidth(), 3.0F);
   QCOMPARE(dataOf(first[1]).GetNumberOfVerts(), vtkIdType{2});
   QCOMPARE(actorOf(first[1]).GetProperty()->GetPointSize(), 9.0F);
+}
+
+/// They may be those of a result that is shown again later.
+void KeptPropsTest::theDataGivenStayAsTheyWere() {
+  const PropPtr first = linesProp({{{0, 0, 0}, {1, 0, 0}}}, red, 1), second = linesProp({{{0, 0, 0}, {9, 0, 0}}}, red, 1);
+  const vtkSmartPointer<vtkPolyData> ofFirst = &dataOf(first), ofSecond = &dataOf(second);
+  show({first});
+  show({second});
+  show({linesProp({{{0, 0, 0}, {5, 0, 0}}}, red, 1)});
+  QCOMPARE(Vec3(ofFirst->GetPoint(1)), Vec3(1, 0, 0));
+  QCOMPARE(Vec3(ofSecond->GetPoint(1)), Vec3(9, 0, 0));
+  QCOMPARE(Vec3(dataOf(shown_[0]).GetPoint(1)), Vec3(5, 0, 0));
 }
 
 void KeptPropsTest::whatIsOfAnotherSortIsReplacedInItsOrder() {

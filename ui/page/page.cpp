@@ -176,15 +176,19 @@ void DocumentPage::endQuestion() {
 bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }
 
 /// While something coarser is shown, which may have fewer frames, the timeline stays where it is.
-void DocumentPage::refreshTimeline() {
+void DocumentPage::refreshFrames() {
   const int count = static_cast<int>(scene_.frames());
   if (!session_.coarse()) {
     playback_.setCount(count);
     playback_.setOffered(count < 2 && offeredSequence());
   }
-  const bool stays = session_.evaluating() && !timeline_->isHidden();  // the sequence to play is being computed
-  timeline_->setVisible(playback_.playable() || stays);
   refreshKeys();
+}
+
+/// It goes when all is computed, not while the sequence that is to be played is.
+void DocumentPage::refreshTimeline() {
+  refreshFrames();
+  if (playback_.playable() || !session_.evaluating()) timeline_->setVisible(playback_.playable());
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {

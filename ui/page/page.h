@@ -129,6 +129,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] std::shared_ptr<const SurfaceStudy> studyOf(const Shape&);
   void connectWidgets();
   void followPreference(const QString& name);
+  void refreshFrames();
   void refreshTimeline();
   [[nodiscard]] std::optional<Feature> offeredSequence() const;
   void makeSequence();

@@ -27,7 +27,7 @@ const QString studyKey = QStringLiteral("c");
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
     errors_->documentChanged();
-    refreshTimeline();
+    refreshFrames();
     view_->markItems();
     measurements_.documentChanged();
     if (Tool* const active = tool()) active->documentChanged();

@@ -20,7 +20,7 @@ class DocumentTree : public QListView {
  public:
   explicit DocumentTree(Session&, QWidget* parent = nullptr);
   [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; `current()` is the current one
+  [[nodiscard]] std::vector<FeatureId> selected() const;        ///< in document order; `current()` is the current one
   [[nodiscard]] std::vector<FeatureId> selectedInTurn() const;  ///< as they were selected, one after the other
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing

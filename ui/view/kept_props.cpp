@@ -53,6 +53,16 @@ bool areAlike(vtkProp& a, vtkProp& b) {
          lookA.GetLighting() == lookB.GetLighting() && (lookA.GetOpacity() == 1) == (lookB.GetOpacity() == 1);
 }
 
+/// What is shown holds data of its own, which can be overwritten: those it came with may be a result's, which is shown again
+/// later.
+void giveOwnData(vtkProp& prop) {
+  vtkPolyData* const given = dataOf(prop);
+  if (!given) return;
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(given);
+  vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(&prop)->GetMapper())->SetInputData(own);
+}
+
 /// Only what differs is set: any change of a look makes VTK look at the shader again.
 void takeOver(vtkProp& kept, vtkProp& now) {
   dataOf(kept)->ShallowCopy(dataOf(now));
@@ -72,7 +82,10 @@ void replaceProps(vtkRenderer& renderer, Props& shown, Props now) {
   if (!alike) {
     for (const auto& prop : shown) renderer.RemoveViewProp(prop);
     shown = std::move(now);
-    for (const auto& prop : shown) renderer.AddViewProp(prop);
+    for (const auto& prop : shown) {
+      giveOwnData(*prop);
+      renderer.AddViewProp(prop);
+    }
     return;
   }
   for (std::size_t k = 0; k < shown.size(); ++k) {

@@ -154,7 +154,9 @@ const std::map<std::string, Behaviour>& behaviours() {
 /// Shapes that can be moved and nothing else.
 constexpr std::array movedTypes{"modeling.text", "modeling.point"};
 
-bool isOnlyMoved(const std::string& type) { return std::find(movedTypes.begin(), movedTypes.end(), type) != movedTypes.end(); }
+bool isOnlyMoved(const std::string& type) {
+  return std::find(movedTypes.begin(), movedTypes.end(), type) != movedTypes.end();
+}
 
 }  // namespace
 

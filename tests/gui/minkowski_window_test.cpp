@@ -55,6 +55,7 @@ class MinkowskiWindowTest : public WindowFixture {
   void picturesOfTheMorph();
 
  private:
+  void framesThatAreThereAreAskedAbout();
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void write(const char* name, const char* text) const;
   void morphBoth();
@@ -146,6 +147,29 @@ void MinkowskiWindowTest::aMorphIsPlayedAndScrubbed() {
   QVERIFY(!playback().playing());
 }
 
+/// The file dialog asks about the name that was chosen, which is not that of a frame.
+void MinkowskiWindowTest::framesThatAreThereAreAskedAbout() {
+  const QString kept = path("walk-0002.svg");
+  for (const bool replace : {false, true}) {
+    QFile file(kept);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+    file.close();
+    QString asked;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, this, [&] {
+      auto* question = window_->findChild<QMessageBox*>();
+      if (!question || !question->isVisible()) return;
+      asked = question->text();
+      for (QAbstractButton* button : question->buttons())
+        if ((question->buttonRole(button) == QMessageBox::AcceptRole) == replace) button->click();
+    });
+    answering.start(20);
+    exportAs("svg", path("walk.svg"), {{"animate", false}});
+    QVERIFY2(asked.contains(QStringLiteral("13 files, walk-0001.svg to walk-0013.svg")), qPrintable(asked));
+    QCOMPARE(QFileInfo(kept).size() == 4, !replace);
+  }
+}
+
 void MinkowskiWindowTest::framesAndAnimatedDrawingsAreExported() {
   window_->tree().select(morph_);
   for (const char* format : {"svg", "dxf"}) {
@@ -158,6 +182,7 @@ void MinkowskiWindowTest::framesAndAnimatedDrawingsAreExported() {
     }
     QVERIFY(!QFile::exists(path("walk-0014.") + extension));
   }
+  framesThatAreThereAreAskedAbout();
   exportAs("svg", path("playing.svg"), {{"animate", true}});
   QFile svg(path("playing.svg"));
   QVERIFY(svg.open(QIODevice::ReadOnly));

@@ -162,6 +162,7 @@ class RecoveryTest : public QObject {
   Q_OBJECT
  private slots:
   void aKillLosesNoMoreThanASecond();
+  void aProcessThatIsStillEndingIsWaitedFor();
   void savedAndClosedNothingIsOffered();
   void withoutSafetyCopiesNothingIsKept();
 
@@ -247,6 +248,25 @@ void RecoveryTest::aKillLosesNoMoreThanASecond() {
   qInfo("figure unsaved_documents_recovered %d", recoveredUnsaved_);
   qInfo("figure most_lost_ms %lld", static_cast<long long>(worst_));
   QVERIFY(recoveredUnsaved_ > 0);
+}
+
+/// Its lock is released only when the system has taken all of it down, which takes longer than a new start.
+void RecoveryTest::aProcessThatIsStillEndingIsWaitedFor() {
+  QTemporaryDir folder;
+  const Place place(folder.path().toStdString());
+  QProcess process;
+  process.start(QCoreApplication::applicationFilePath(),
+                {QStringLiteral("recovery_test"), QStringLiteral("--edit"), folder.path(), QStringLiteral("5")});
+  QVERIFY(process.waitForStarted());
+  QTRY_VERIFY(fs::exists(place.log) && fs::file_size(place.log) > 500);
+  Recovery& recovery = Recovery::instance();
+  recovery.start(place.recovery);
+  QTest::qWait(500);
+  QVERIFY(recovery.lost().empty());
+  process.kill();
+  process.waitForFinished();
+  QTRY_VERIFY_WITH_TIMEOUT(!recovery.lost().empty(), 20000);
+  recovery.stop();
 }
 
 void RecoveryTest::savedAndClosedNothingIsOffered() {

@@ -1,10 +1,15 @@
 #include "ui/session/recovery.h"
 
 #include <QStandardPaths>
+#include <QTimer>
+#include <array>
+#include <chrono>
 
 #include "ui/look/preferences.h"
 
 namespace blossom::ui {
+
+using namespace std::chrono_literals;
 
 Recovery& Recovery::instance() {
   static Recovery recovery;
@@ -17,12 +22,25 @@ std::filesystem::path Recovery::standardFolder() {
 
 void Recovery::start(const std::filesystem::path& folder) {
   area_ = std::make_shared<RecoveryArea>(folder);
+  look(area_, 0);
+}
+
+void Recovery::look(const std::shared_ptr<RecoveryArea>& area, std::size_t time) {
+  constexpr std::array<std::chrono::seconds, 3> untilNext{2s, 4s, 10s};
   auto found = std::make_shared<std::vector<LostDocument>>();
   look_.start(
-      tr("Looking for unsaved documents"), [found, area = area_](const Progress&) { *found = area->lost(); },
-      [this, found](const std::optional<Error>&) {
+      tr("Looking for unsaved documents"), [found, area](const Progress&) { *found = area->lost(); },
+      [this, found, area, time](const std::optional<Error>&) {
+        if (area != area_) return;
+        std::error_code ignored;  // discarded meanwhile
+        std::erase_if(*found, [&](const LostDocument& each) { return !std::filesystem::exists(each.folder, ignored); });
+        const bool more = found->size() > lost_.size();
         lost_ = std::move(*found);
-        if (!lost_.empty()) emit changed();
+        if (more) emit changed();
+        if (time == untilNext.size()) return;
+        QTimer::singleShot(untilNext[time], this, [this, area, time] {
+          if (area == area_ && !look_.running()) look(area, time + 1);
+        });
       });
 }
 

@@ -15,7 +15,8 @@ class Recovery : public QObject {
  public:
   static Recovery& instance();
 
-  /// Starts to keep new steps. Looks for lost documents on a thread of its own and then emits `changed`.
+  /// Starts to keep new steps. Looks for lost documents on a thread of its own and then emits `changed`; looks again in the
+  /// next seconds, for a process that was killed takes a while to end.
   /// @throws Error FileUnwritable.
   void start(const std::filesystem::path& folder = standardFolder());
   void stop();  ///< as at the end of the program
@@ -32,6 +33,7 @@ class Recovery : public QObject {
 
  private:
   Recovery() = default;
+  void look(const std::shared_ptr<RecoveryArea>&, std::size_t time);
   std::shared_ptr<RecoveryArea> area_;
   std::vector<LostDocument> lost_;
   Job look_;

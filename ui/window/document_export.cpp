@@ -2,10 +2,13 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 #include <set>
 
 #include "document/shown.h"
+#include "exchange/format/frames.h"
 #include "geometry/occt/merged_shape.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/text.h"
@@ -41,7 +44,36 @@ std::vector<FeatureId> shownOnes(const Session& session) {
   return shownFeatures(session.document(), *session.app().registry, [&](const FeatureId& id) { return session.shape(id); });
 }
 
+/// The files of the frames of a sequence that are there already; the file dialog has asked about the one that was chosen.
+std::vector<std::filesystem::path> framesThere(const Session& session, const std::vector<FeatureId>& ids,
+                                               const std::filesystem::path& file, const Format& format,
+                                               const Value& options) {
+  const Shape* shape = ids.size() == 1 ? session.shape(ids.front()) : nullptr;
+  std::vector<std::filesystem::path> there;
+  if (!shape || shape->kind() != ShapeKind::Sequence) return there;
+  for (const FileOfShape& each : filesOf(format, *shape, file, completed(format.writeOptions, options)))
+    if (std::error_code ignored; each.path != file && std::filesystem::exists(each.path, ignored))
+      there.push_back(each.path);
+  return there;
+}
+
 }  // namespace
+
+bool DocumentExport::mayReplace(const std::vector<std::filesystem::path>& there) const {
+  if (there.empty()) return true;
+  QMessageBox question(window_);
+  question.setIcon(QMessageBox::NoIcon);
+  const QString first = qt(there.front().filename().string());
+  question.setText(there.size() == 1 ? tr("Replace %1?").arg(first)
+                                     : tr("Replace %1 files, %2 to %3?")
+                                           .arg(there.size())
+                                           .arg(first, qt(there.back().filename().string())));
+  question.setInformativeText(tr("Each frame of the sequence is a file of its own, and these are there already."));
+  QPushButton* const replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == replace;
+}
 
 DocumentExport::DocumentExport(App app, QWidget* window) : QObject(window), app_(std::move(app)), window_(window) {}
 
@@ -92,6 +124,7 @@ void DocumentExport::choose(DocumentPage& page) {
     if (file.isEmpty()) return;
     const bool right = app_.formats->find(QFileInfo(file).suffix().toStdString()) == &format;
     if (!right && !completed(file, u'.' + extension, window_)) return;
+    if (!mayReplace(framesThere(page.session(), ids, file.toStdString(), format, options))) return;
     rememberFolder(file);
     page.session().exportFeatures(ids, file.toStdString(), options);
   });

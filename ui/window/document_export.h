@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <filesystem>
 #include <vector>
 
 #include "app/app.h"
@@ -20,6 +21,8 @@ class DocumentExport : public QObject {
 
  private:
   [[nodiscard]] static std::vector<ExportScope> scopesOf(DocumentPage&);
+  /// Asks whether files that are there may be replaced.
+  [[nodiscard]] bool mayReplace(const std::vector<std::filesystem::path>& there) const;
 
   App app_;
   QWidget* window_;

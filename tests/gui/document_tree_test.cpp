@@ -196,13 +196,17 @@ void DocumentTreeTest::theOfferGoesWhenTheDocumentChanges() {
 }
 
 void DocumentTreeTest::whatIsSelectedKeepsItsTurn() {
-  choose({"c"});
+  window_->tree().select("c");
   window_->tree().select("a", true);
   window_->tree().select("d", true);
   QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"c", "a", "d"}));
   QCOMPARE(window_->tree().selected(), (std::vector<FeatureId>{"a", "c", "d"}));
   window_->tree().select("a", true);
   QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"c", "d"}));
+  // What selects itself, as a new feature does, has no turn: then the first made is the first.
+  window_->tree().selectAdded("d");
+  window_->tree().select("a", true);
+  QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"a", "d"}));
 }
 
 void DocumentTreeTest::suppressedInsteadOfDeleted() {

@@ -1,5 +1,7 @@
+#include <QAbstractButton>
 #include <QDir>
 #include <QFile>
+#include <QMessageBox>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>

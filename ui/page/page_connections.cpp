@@ -62,7 +62,7 @@ void DocumentPage::connectSession() {
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) {
     errors_->hide();  // what the command before could not do
-    tree_->select(id.toStdString());
+    tree_->selectAdded(id.toStdString());
   });
   connect(&session_, &Session::noted, this, &DocumentPage::announced);
   const Job& job = session_.job();

@@ -26,7 +26,7 @@ void Recovery::start(const std::filesystem::path& folder) {
 }
 
 void Recovery::look(const std::shared_ptr<RecoveryArea>& area, std::size_t time) {
-  constexpr std::array<std::chrono::seconds, 3> untilNext{2s, 4s, 10s};
+  static constexpr std::array<std::chrono::seconds, 3> untilNext{2s, 4s, 10s};
   auto found = std::make_shared<std::vector<LostDocument>>();
   look_.start(
       tr("Looking for unsaved documents"), [found, area](const Progress&) { *found = area->lost(); },

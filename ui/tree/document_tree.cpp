@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QScopedValueRollback>
 #include <algorithm>
 #include <set>
 
@@ -53,11 +54,13 @@ std::vector<FeatureId> DocumentTree::selected() const {
 }
 
 std::vector<FeatureId> DocumentTree::selectedInTurn() const {
-  std::vector<FeatureId> fresh = selected(), inTurn;
-  for (const FeatureId& id : turn_)
-    if (std::erase(fresh, id) > 0) inTurn.push_back(id);
-  inTurn.insert(inTurn.end(), fresh.begin(), fresh.end());
-  return inTurn;
+  std::vector<FeatureId> all = selected();
+  return turn_.size() == all.size() ? turn_ : all;
+}
+
+void DocumentTree::selectAdded(const FeatureId& id) {
+  const QScopedValueRollback automatic(byHand_, false);
+  select(id);
 }
 
 void DocumentTree::select(const FeatureId& id, bool extend) {
@@ -72,6 +75,7 @@ void DocumentTree::select(const FeatureId& id, bool extend) {
 }
 
 void DocumentTree::selectThese(const std::vector<FeatureId>& ids) {
+  const QScopedValueRollback automatic(byHand_, false);
   QItemSelection selection;
   for (const FeatureId& id : ids) model_->unfoldTo(id);
   for (const FeatureId& id : ids) selection.select(model_->indexOf(id), model_->indexOf(id));
@@ -251,7 +255,12 @@ std::size_t DocumentTree::placeOf(const FeatureId& id) const {
 
 void DocumentTree::selectionChanged(const QItemSelection& now, const QItemSelection& before) {
   QListView::selectionChanged(now, before);
-  turn_ = selectedInTurn();
+  std::vector<FeatureId> fresh = selected();
+  std::erase_if(turn_, [&](const FeatureId& id) { return std::erase(fresh, id) == 0; });
+  if (byHand_)
+    turn_.insert(turn_.end(), fresh.begin(), fresh.end());
+  else
+    turn_.clear();
   emit selectionChangedTo();
 }
 

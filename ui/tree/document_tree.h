@@ -20,12 +20,15 @@ class DocumentTree : public QListView {
  public:
   explicit DocumentTree(Session&, QWidget* parent = nullptr);
   [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] std::vector<FeatureId> selected() const;        ///< in document order; `current()` is the current one
-  [[nodiscard]] std::vector<FeatureId> selectedInTurn() const;  ///< as they were selected, one after the other
+  [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; `current()` is the current one
+  /// As they were selected by hand, one after the other; in document order where one was not selected by hand, as a new
+  /// feature is.
+  [[nodiscard]] std::vector<FeatureId> selectedInTurn() const;
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectThese(const std::vector<FeatureId>&);
-  void selectLast();  ///< in document order
+  void selectAdded(const FeatureId&);  ///< not by hand
+  void selectLast();                   ///< in document order
   void selectFirstShown();
   void selectAll() override;  ///< what the filter shows
   /// Shows only rows whose name, type or state contains all words of the text.
@@ -84,7 +87,8 @@ class DocumentTree : public QListView {
   DocumentModel* model_;
   QStringList filter_;
   std::map<FeatureId, bool> beforeIsolation_;
-  std::vector<FeatureId> turn_;  ///< what was selected after the last change of the selection, first to last
+  std::vector<FeatureId> turn_;  ///< of what is selected that which was selected by hand, first to last
+  bool byHand_ = true;           ///< what is being selected
 };
 
 }  // namespace blossom::ui

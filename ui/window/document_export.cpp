@@ -64,10 +64,10 @@ bool DocumentExport::mayReplace(const std::vector<std::filesystem::path>& there)
   QMessageBox question(window_);
   question.setIcon(QMessageBox::NoIcon);
   const QString first = qt(there.front().filename().string());
-  question.setText(there.size() == 1 ? tr("Replace %1?").arg(first)
-                                     : tr("Replace %1 files, %2 to %3?")
-                                           .arg(there.size())
-                                           .arg(first, qt(there.back().filename().string())));
+  question.setText(
+      there.size() == 1
+          ? tr("Replace %1?").arg(first)
+          : tr("Replace %1 files, %2 to %3?").arg(there.size()).arg(first, qt(there.back().filename().string())));
   question.setInformativeText(tr("Each frame of the sequence is a file of its own, and these are there already."));
   QPushButton* const replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
   question.setDefaultButton(question.addButton(QMessageBox::Cancel));

@@ -128,6 +128,14 @@ void PanelDraggingTest::ratiosAreDragged() {
   QTest::keyClick(slider, Qt::Key_Escape);
   QTest::mouseRelease(slider, Qt::LeftButton, {}, at(0.8));
   QCOMPARE(now("ratio"), Value(0.25));
+  // A click is for typing: the number stays until another one is there.
+  const std::string before = toJson(session_->document());
+  QTest::mouseClick(slider, Qt::LeftButton, {}, at(0.8));
+  QVERIFY(slider->typing());
+  QTest::keyClick(slider, Qt::Key_Escape);
+  QVERIFY(!slider->typing());
+  settle();
+  QCOMPARE(toJson(session_->document()), before);
   oneStep("ratio", 1.0, [&] {
     QTest::mousePress(slider, Qt::LeftButton, {}, at(0.3));
     test::moveMouse(slider, at(0.5));

@@ -1,5 +1,6 @@
 #include "ui/controls/ratio_slider.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -110,11 +111,19 @@ void RatioSlider::mousePressEvent(QMouseEvent* event) {
   if (!isReadOnly()) return QLineEdit::mousePressEvent(event);
   setFocus();
   dragging_ = event->button() == Qt::LeftButton;
+  pressedAt_ = event->position();
+  moved_ = false;
+}
+
+/// A hand is not still while it clicks.
+bool RatioSlider::hasMoved(const QPointF& to) {
+  moved_ = moved_ || std::abs(to.x() - pressedAt_.x()) >= QApplication::startDragDistance();
+  return moved_;
 }
 
 void RatioSlider::mouseMoveEvent(QMouseEvent* event) {
   if (!isReadOnly()) return QLineEdit::mouseMoveEvent(event);
-  if (!dragging_) return;
+  if (!dragging_ || !hasMoved(event->position())) return;
   value_ = valueAt(event->position().x());
   absent_ = false;
   showValue();
@@ -125,6 +134,7 @@ void RatioSlider::mouseReleaseEvent(QMouseEvent* event) {
   if (!isReadOnly()) return QLineEdit::mouseReleaseEvent(event);
   if (!dragging_) return;
   dragging_ = false;
+  if (!hasMoved(event->position())) return startTyping();
   absent_ = false;
   value_ = valueAt(event->position().x());
   emit chosen(value_);

@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A value between two bounds as a draggable bar; arrow keys step, a double click, F2 or Enter starts typing. Esc cancels a
-/// drag or typing.
+/// A value between two bounds as a draggable bar; arrow keys step, a click, F2 or Enter starts typing. Esc cancels a drag or
+/// typing.
 class RatioSlider : public QLineEdit {
   Q_OBJECT
  public:
@@ -36,6 +36,7 @@ class RatioSlider : public QLineEdit {
 
  private:
   [[nodiscard]] double valueAt(double x) const;
+  [[nodiscard]] bool hasMoved(const QPointF& to);
   void showValue();
   void stopTyping();
   void startTyping();
@@ -44,7 +45,8 @@ class RatioSlider : public QLineEdit {
 
   double value_ = 0, minimum_ = 0, maximum_ = 1;
   bool absent_ = false;
-  bool dragging_ = false;
+  bool dragging_ = false, moved_ = false;  ///< the mouse: it is down, and has moved since
+  QPointF pressedAt_;
   bool stepping_ = false;
   int wheelTimer_ = 0;
 };

@@ -1,7 +1,10 @@
 #include "ui/files/export_dialog.h"
 
+#include <QPushButton>
+#include <QScreen>
 #include <algorithm>
 
+#include "exchange/formats.h"
 #include "support/modeling.h"
 #include "support/support.h"
 
@@ -40,6 +43,31 @@ class ExportFormatsTest : public QObject {
   void framesOfSeveralKindsAreStoredByWhatStoresEach() {
     QVERIFY(isOffered("dxf", sequenceOf({ShapeKind::Curves, ShapeKind::Region})));
     QVERIFY(!isOffered("dxf", sequenceOf({ShapeKind::Region, ShapeKind::Mesh})));
+  }
+
+  /// However many options a format has, on however small a screen.
+  void theButtonsStayInReach() {
+    FormatRegistry many = standardFormats();
+    Format format;
+    format.id = format.title = "wordy";
+    format.extensions = {"wordy"};
+    format.writes = {ShapeKind::Region};
+    format.write = [](const Shape&, const std::filesystem::path&, const Value&, const Progress&) {};
+    for (int k = 0; k < 60; ++k) {
+      ParameterSpec option = length();
+      option.name = "option-" + std::to_string(k);
+      option.help = "One of many.";
+      option.fallback = 1.0;
+      format.writeOptions.push_back(option);
+    }
+    many.add(format);
+    ExportDialog dialog(many, {{QStringLiteral("It"), {"a"}, ShapeKind::Region}});
+    dialog.choose(QStringLiteral("wordy"));
+    dialog.show();
+    QTRY_VERIFY(dialog.height() <= dialog.screen()->availableSize().height());
+    for (const QPushButton* button : dialog.findChildren<QPushButton*>())
+      QVERIFY(dialog.rect().contains(QRect(button->mapTo(&dialog, QPoint(0, 0)), button->size())));
+    QTRY_VERIFY(dialog.height() > dialog.screen()->availableSize().height() / 2);  // as high as it may be
   }
 };
 

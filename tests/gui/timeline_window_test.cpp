@@ -23,6 +23,7 @@ class TimelineWindowTest : public WindowFixture {
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
   void theSkinFollowsTheKeys();
+  void keysAddedInThePanelLeaveTheSequenceAsItIs();
   void playKeepsTheFocus();
   void theTimelineGoesWithItsSequence();
   void aSelectedSequenceIsExtruded();
@@ -161,6 +162,25 @@ void TimelineWindowTest::theSkinFollowsTheKeys() {
   session.commit(session.document().with(feature), QStringLiteral("No keys"));
   waitUntilComputed();
   QCOMPARE(canvas(), evenly);
+}
+
+void TimelineWindowTest::keysAddedInThePanelLeaveTheSequenceAsItIs() {
+  window_->tree().select(last());
+  slider().setValue(3);
+  const auto addKey = [this] {
+    for (auto* button : window_->properties().field(QStringLiteral("keys"))->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add")) return button->click();
+  };
+  addKey();
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 4, 11}));
+  addKey();  // that frame has one: in the middle of the widest gap
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 4, 7, 11}));
+  for (const int frame : {0, 2, 5, 8, 10}) {
+    slider().setValue(frame);
+    COMPARE_NEAR(shownWidth(), 10 + frame, 1e-6);
+  }
 }
 
 /// While the frames are computed, the button that was pressed keeps the focus: keys that follow must not end in a field.

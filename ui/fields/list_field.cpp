@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "feature/frame_keys.h"
 #include "ui/fields/list_row.h"
 #include "ui/look/icons.h"
 #include "ui/look/registry_text.h"
@@ -164,6 +165,7 @@ Value ListField::newItem() const {
 
 // What only the user can tell (a file) is asked for in the row; the list is passed on when it is given.
 void ListField::add() {
+  if (isFrameKeys(spec()) && context()->setKey()) return;
   const Value start = newItem();
   draft_.push_back(start);
   for (const std::size_t wanted = wantedCount(spec()).value_or(0); draft_.size() < wanted;) draft_.push_back(start);

@@ -41,6 +41,8 @@ struct FieldContext {
   /// call.
   std::function<void(const std::vector<Pick>&)> markChosen = [](const std::vector<Pick>&) {};
   std::function<void(const std::optional<Pick>&)> markPointed = [](const std::optional<Pick>&) {};
+  /// Sets a key of the feature's sequence where the timeline is, in the document. False where the feature has no sequence.
+  std::function<bool()> setKey = [] { return false; };
 
   /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;

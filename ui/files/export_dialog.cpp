@@ -5,11 +5,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/error.h"
+#include "ui/controls/fitting_scroll.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 
@@ -81,9 +83,13 @@ ExportDialog::ExportDialog(const FormatRegistry& formats, std::vector<ExportScop
   none_->setObjectName(QStringLiteral("problem"));
   none_->setWordWrap(true);
   all->addWidget(none_);
+  auto* column = new QWidget;
+  column->setObjectName(QStringLiteral("exportOptions"));
+  column->setLayout(rows_);
   rows_->setSpacing(10);
-  all->addLayout(rows_);
-  all->addStretch();
+  rows_->setContentsMargins(0, 0, 0, 0);
+  options_ = new FittingScroll(column);
+  all->addWidget(options_, 1);
   auto* cancel = new QPushButton(tr("Cancel"));
   go_->setProperty("primary", true);
   go_->setDefault(true);
@@ -136,7 +142,13 @@ void ExportDialog::fillOptions() {
     fields_.push_back(field);
     rows_->addWidget(field);
   }
-  QMetaObject::invokeMethod(this, &QWidget::adjustSize, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(this, &ExportDialog::fitToScreen, Qt::QueuedConnection);
+}
+
+/// The buttons stay in reach on small screens, too: the options scroll there.
+void ExportDialog::fitToScreen() {
+  constexpr int frame = 64;  // of the window, and room beside it
+  resize(sizeHint().boundedTo(screen()->availableSize() - QSize(0, frame)));
 }
 
 // What is typed is taken first; a wrong value keeps the dialog open, with its message.
@@ -144,7 +156,10 @@ void ExportDialog::accept() {
   for (QLineEdit* line : findChildren<QLineEdit*>())
     if (line->isModified()) emit line->editingFinished();
   for (ParameterField* field : fields_)
-    if (!field->problem().isEmpty()) return field->setFocus();
+    if (!field->problem().isEmpty()) {
+      options_->ensureWidgetVisible(field);
+      return field->setFocus();
+    }
   QDialog::accept();
 }
 

@@ -12,6 +12,7 @@ class QVBoxLayout;
 
 namespace blossom::ui {
 
+class FittingScroll;
 class ParameterField;
 
 /// A selection that can be exported as one file, or a sequence as one file per frame.
@@ -38,10 +39,12 @@ class ExportDialog : public QDialog {
  private:
   void fillFormats();
   void fillOptions();
+  void fitToScreen();
   const FormatRegistry& formats_;
   std::vector<ExportScope> scopes_;
   QComboBox *what_, *format_;
   QVBoxLayout* rows_;
+  FittingScroll* options_;
   QLabel* none_;
   QPushButton* go_;
   std::vector<ParameterField*> fields_;

@@ -185,10 +185,12 @@ void DocumentPage::refreshFrames() {
   refreshKeys();
 }
 
-/// It goes when all is computed, not while the sequence that is to be played is.
+/// It goes when all is computed, not while the sequence that is to be played is. It stays where that fails, so that the view
+/// does not jump.
 void DocumentPage::refreshTimeline() {
   refreshFrames();
-  if (playback_.playable() || !session_.evaluating()) timeline_->setVisible(playback_.playable());
+  const bool wanted = playback_.playable() || keyedSequence().has_value();
+  if (wanted || !session_.evaluating()) timeline_->setVisible(wanted);
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {

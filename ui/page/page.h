@@ -147,6 +147,7 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshKeys();
   void moveKey(int key, int frame, bool placed);
   void setKey(int frame);
+  bool setAnotherKey();
   void removeKey(int key);
   void removeKeyAt(int frame);
 

@@ -1,4 +1,5 @@
 // The keys of the selected sequence on the timeline.
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -6,6 +7,7 @@
 #include "parameter/written.h"
 #include "ui/look/text.h"
 #include "ui/page/page.h"
+#include "ui/panel/property_panel.h"
 #include "ui/timeline/key_marks.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/tree/document_tree.h"
@@ -67,6 +69,35 @@ void DocumentPage::setKey(int frame) {
   }
 }
 
+namespace {
+
+/// The frame that is shown; where it has a key already, the one in the middle of the widest gap between keys.
+int frameForNewKey(const std::vector<FrameKey>& sorted, int shown) {
+  const auto isThere = [&](const FrameKey& key) { return key.frame == shown; };
+  if (std::none_of(sorted.begin(), sorted.end(), isThere)) return shown;
+  int widest = 0, middle = shown;
+  for (std::size_t k = 1; k < sorted.size(); ++k) {
+    const int gap = sorted[k].frame - sorted[k - 1].frame;
+    if (gap <= widest) continue;
+    widest = gap;
+    middle = sorted[k - 1].frame + gap / 2;
+  }
+  return middle;
+}
+
+}  // namespace
+
+bool DocumentPage::setAnotherKey() {
+  const auto keyed = keyedSequence();
+  if (!keyed) return false;
+  try {
+    setKey(frameForNewKey(frameKeysOf(keyed->keys), playback_.frameOf(keyed->frames) + 1));
+  } catch (const Error& error) {
+    showError(error);  // two keys at one frame
+  }
+  return true;
+}
+
 void DocumentPage::removeKey(int key) {
   const auto keyed = keyedSequence();
   const auto number = static_cast<std::size_t>(key);
@@ -96,6 +127,7 @@ void DocumentPage::connectKeys() {
     const auto keyed = keyedSequence();
     if (keyed) playback_.show(static_cast<int>(std::lround((frame - 1.0) * (playback_.count() - 1) / (keyed->frames - 1))));
   });
+  properties_->setKeying([this] { return setAnotherKey(); });
   connect(timeline_, &TimelineBar::keyWanted, this, &DocumentPage::setKey);
   connect(timeline_, &TimelineBar::keyUnwanted, this, &DocumentPage::removeKeyAt);
 }

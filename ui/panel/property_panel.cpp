@@ -345,6 +345,8 @@ void PropertyPanel::refreshTimes() {
   }
 }
 
+void PropertyPanel::setKeying(std::function<bool()> setKey) { context_->setKey = std::move(setKey); }
+
 void PropertyPanel::setTimeline(int frame, int frames) {
   time_.setTimeline(frame, frames);
   refreshTimes();

@@ -1,5 +1,6 @@
 #pragma once
 #include <QScrollArea>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -44,6 +45,8 @@ class PropertyPanel : public QScrollArea {
   void endPick() { picking_.end(); }
   /// The current place of the timeline. The t of a feature that makes a sequence is the time of the frame that is seen.
   void setTimeline(int frame, int frames);
+  /// @param setKey as that of FieldContext
+  void setKeying(std::function<bool()> setKey);
 
  signals:
   void hint(const QString&);

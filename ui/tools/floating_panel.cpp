@@ -36,9 +36,9 @@ void FloatingPanel::settle() {
 QPoint FloatingPanel::placeOf(const QSize& size) const {
   const QSize room = parentWidget()->size() - size;
   if (draggedTo_)
-    return {std::clamp(draggedTo_->x(), 0, std::max(room.width(), 0)),
-            std::clamp(draggedTo_->y(), 0, std::max(room.height(), 0))};
-  if (place_ == Place::UpperLeft) return {margin, margin};
+    return {std::clamp(draggedTo_->x(), std::min(room.width(), 0), std::max(room.width(), 0)),
+            std::clamp(draggedTo_->y(), std::min(room.height(), 0), std::max(room.height(), 0))};
+  if (place_ == Place::UpperLeft) return {std::clamp(room.width(), 0, margin), std::clamp(room.height(), 0, margin)};
   return {room.width() / 2, room.height() - margin};
 }
 

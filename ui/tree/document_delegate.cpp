@@ -97,7 +97,9 @@ void DocumentDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     painter->setBrush(selected || hovered ? QBrush(colors.color(selected ? "raised" : "hover")) : QBrush(Qt::NoBrush));
     painter->drawRoundedRect(row, 6, 6);
   }
-  painter->setOpacity(visible && !suppressed ? 1 : 0.5);
+  constexpr double steppedBack = 0.7;  // what is written in the colour of text is readable at that
+  const bool present = visible && !suppressed;
+  painter->setOpacity(present ? 1 : steppedBack);
   const int left = option.rect.left() + indentOf(index);
   if (index.data(DocumentModel::StepsRole).toBool())
     paintIcon(
@@ -129,8 +131,8 @@ void DocumentDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
       text.translate(0, painter->fontMetrics().height());
     }
   };
-  write(lines.state, failed ? "error" : warned ? "warning" : "muted");
-  write(lines.remedy, "muted");
+  write(lines.state, failed ? "error" : warned ? "warning" : present ? "muted" : "text");
+  write(lines.remedy, present ? "muted" : "text");
   painter->setOpacity(1);
   if (showEye)
     paintIcon(*painter, eyeRect(option.rect), visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),

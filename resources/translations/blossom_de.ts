@@ -1691,6 +1691,22 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 <context>
     <name>blossom::ui::DocumentExport</name>
     <message>
+        <source>Replace %1?</source>
+        <translation>%1 ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace %1 files, %2 to %3?</source>
+        <translation>%1 Dateien ersetzen, %2 bis %3?</translation>
+    </message>
+    <message>
+        <source>Each frame of the sequence is a file of its own, and these are there already.</source>
+        <translation>Jedes Bild der Folge ist eine eigene Datei, und diese gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
         <source>The %1 selected results as one file</source>
         <translation>Die %1 gewählten Ergebnisse als eine Datei</translation>
     </message>

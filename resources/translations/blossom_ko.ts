@@ -1691,6 +1691,22 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
 <context>
     <name>blossom::ui::DocumentExport</name>
     <message>
+        <source>Replace %1?</source>
+        <translation>%1을(를) 바꿀까요?</translation>
+    </message>
+    <message>
+        <source>Replace %1 files, %2 to %3?</source>
+        <translation>파일 %1개(%2부터 %3까지)를 바꿀까요?</translation>
+    </message>
+    <message>
+        <source>Each frame of the sequence is a file of its own, and these are there already.</source>
+        <translation>시퀀스의 각 프레임은 따로 된 파일이며, 이 파일들은 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>바꾸기</translation>
+    </message>
+    <message>
         <source>The %1 selected results as one file</source>
         <translation>고른 결과 %1개를 한 파일로</translation>
     </message>

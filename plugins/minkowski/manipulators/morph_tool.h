@@ -151,6 +151,7 @@ class MorphTool final : public ui::HandleTool {
   std::vector<double> levels_;  ///< the numbers by which what is seen is blended
   std::shared_ptr<const FeatureResult> measured_;
   const Region* measuredRegion_ = nullptr;  ///< of it
+  std::vector<double> measuredLevels_;      ///< of that
   double area_ = 0;                         ///< mm^2, of that
   std::shared_ptr<const LadderLines> ladder_;
   std::optional<LadderLeg> legHovered_, legShown_;

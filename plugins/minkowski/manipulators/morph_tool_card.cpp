@@ -69,19 +69,25 @@ std::optional<double> MorphTool::timeSeen(const Value& parameters) const {
   return timeOfFrame(parameters, std::clamp(host().shownFrame(count), 0, count - 1), count);
 }
 
-/// The area is computed once for each shape that is seen, however often the mouse moves.
+/// The area is computed once for each shape that is seen, however often the mouse moves. Until the shape of another t has
+/// come, no area is told: that of the shape before is not its own.
 QString MorphTool::figures(const Region* seen) {
   if (!seen) return {};
   const auto result = host().result(feature());
-  if (measured_ != result || measuredRegion_ != seen) area_ = area(*seen);
-  measured_ = result;
-  measuredRegion_ = seen;
+  const bool anew = measured_ != result || measuredRegion_ != seen;
+  if (anew) {
+    area_ = area(*seen);
+    measured_ = result;
+    measuredRegion_ = seen;
+    measuredLevels_ = levels_;
+  }
+  const QString told =
+      measuredLevels_ == levels_ ? ui::readable(Measure{"area", area_, MeasureUnit::Area}) : QString(QChar(0x2026));
   QStringList numbers;
   const bool same = std::adjacent_find(levels_.begin(), levels_.end(), std::not_equal_to<>()) == levels_.end();
   for (const double t : levels_) numbers << QString::number(t, 'g', 4);
   if (same && !numbers.isEmpty()) numbers = QStringList(numbers.front());
-  return tr("t %1 · area %2")
-      .arg(numbers.join(QStringLiteral(", ")), ui::readable(Measure{"area", area_, MeasureUnit::Area}));
+  return tr("t %1 · area %2").arg(numbers.join(QStringLiteral(", ")), told);
 }
 
 QString MorphTool::ladderNote(const Value& parameters) const {

@@ -79,23 +79,38 @@ class EdgeWalker {
       hidden += cover.hides;
     }
     int left = windingToLeft(anchor, covering);
-    std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
-      constexpr double rounding = 1e-14;
-      if (std::abs(a.t - b.t) > rounding) return a.t < b.t;
-      return compare(a.exact, b.exact) < 0;
-    });
+    sortMeetings();
+    const double start = shareOf(anchor.t);
     std::size_t next = 0;
-    while (next < meetings_.size() && compare(meetings_[next].exact, anchor.t) <= 0) ++next;
+    while (next < sorted_.size() && inOrder(sorted_[next].t, meeting(next).exact, start, anchor.t) <= 0) ++next;
     if (fromStart) {  // back to the start of the edge
       for (std::size_t i = 0; i < next; ++i) {
-        left -= meetings_[i].left;
-        covering -= meetings_[i].covering;
-        hidden -= meetings_[i].before;
+        left -= meeting(i).left;
+        covering -= meeting(i).covering;
+        hidden -= meeting(i).before;
       }
       next = 0;
     }
     emit(fromStart, !after, next, left, covering, hidden, out);
   }
+
+  /// Sign of a - b, which are rounded and exact.
+  static int inOrder(double a, const Fraction& exactA, double b, const Fraction& exactB) {
+    constexpr double rounding = 1e-14;  // of shares of an edge, with room
+    if (a - b > rounding) return 1;
+    if (b - a > rounding) return -1;
+    return compare(exactA, exactB);
+  }
+
+  /// Their places are sorted: a meeting is six times as large.
+  void sortMeetings() {
+    sorted_.clear();
+    for (std::uint32_t k = 0; k < meetings_.size(); ++k) sorted_.push_back({meetings_[k].t, k});
+    std::sort(sorted_.begin(), sorted_.end(), [this](const Place& a, const Place& b) {
+      return inOrder(a.t, meetings_[a.number].exact, b.t, meetings_[b.number].exact) < 0;
+    });
+  }
+  [[nodiscard]] const Meeting& meeting(std::size_t along) const { return meetings_[sorted_[along].number]; }
 
   static double shareOf(const Fraction& t) { return static_cast<double>(t.over) / static_cast<double>(t.under); }
 
@@ -262,10 +277,10 @@ class EdgeWalker {
   [[nodiscard]] Corner cornerOf(std::size_t first, std::size_t last) {
     through_.assign(1, number_);
     for (std::size_t i = first; i < last; ++i) {
-      if (meetings_[i].end) return cornerAt(*meetings_[i].end);
-      through_.push_back(meetings_[i].edge);
+      if (meeting(i).end) return cornerAt(*meeting(i).end);
+      through_.push_back(meeting(i).edge);
     }
-    const Fraction& t = meetings_[first].exact;
+    const Fraction& t = meeting(first).exact;
     for (const Cover& cover : covers_)
       if (compare(cover.from, t) < 0 && compare(t, cover.to) < 0) through_.push_back(cover.edge);
     const std::uint32_t least = *std::min_element(through_.begin(), through_.end());
@@ -275,7 +290,7 @@ class EdgeWalker {
       if (cross(along, edges_[k].to - edges_[k].from) != 0) second = std::min(second, k);
     const Vec2 from(static_cast<double>(edge_.from.x), static_cast<double>(edge_.from.y)),
         by(static_cast<double>(by_.x), static_cast<double>(by_.y));
-    return {{least, second, true}, from + meetings_[first].t * by};
+    return {{least, second, true}, from + sorted_[first].t * by};
   }
 
   /// 1: the inside is to the left only; -1: to the right only; 0: no boundary, or another edge that lies here tells it.
@@ -294,15 +309,15 @@ class EdgeWalker {
       if (status < 0) out.push_back({corner.name, begin.name, corner.at, begin.at, number_, false});
       begin = corner;
     };
-    while (next < meetings_.size()) {
+    while (next < sorted_.size()) {
       const std::size_t first = next;
       do {
-        left += meetings_[next].left;
-        covering += meetings_[next].covering;
-        hidden += meetings_[next].before;
+        left += meeting(next).left;
+        covering += meeting(next).covering;
+        hidden += meeting(next).before;
         ++next;
-      } while (next < meetings_.size() && meetings_[next].t - meetings_[first].t < 1e-13 &&
-               compare(meetings_[next].exact, meetings_[first].exact) == 0);
+      } while (next < sorted_.size() &&
+               inOrder(sorted_[next].t, meeting(next).exact, sorted_[first].t, meeting(first).exact) == 0);
       const int changed = statusOf(left, covering, hidden);
       // Also where the boundary runs straight on: others may turn there, and are joined around that corner in order.
       if (changed == 0 && status == 0) continue;
@@ -322,7 +337,12 @@ class EdgeWalker {
   GridPoint by_;
   Cell before_{};
   std::vector<Cell> run_;
+  struct Place {
+    double t = 0;  ///< along the edge, rounded
+    std::uint32_t number = 0;
+  };
   std::vector<Meeting> meetings_;
+  std::vector<Place> sorted_;  ///< of the meetings, along the edge
   std::vector<Cover> covers_;
   std::vector<std::uint32_t> through_;
 };

@@ -170,8 +170,8 @@ Vec2 inPlane(const Vec3& p) {
 }
 
 void registerOutlines(Registry& registry) {
-  registry.addAll(pointFeature(), circleFeature(), ellipseFeature(), polygonFeature(), starFeature(), rectangleFeature(),
-                  slotFeature(), textFeature(), drawnFeature());
+  registry.addAll(circleFeature(), ellipseFeature(), polygonFeature(), starFeature(), rectangleFeature(), slotFeature(),
+                  pointFeature(), textFeature(), drawnFeature());
   addOutlineLiterals(registry);
 }
 

@@ -177,6 +177,7 @@ std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points, const std::st
   if (view == "auto")
     for (const char* either : {"top", "iso"}) addMeasuredDirections(turnOf(either), aspect, directions);
   std::vector<Vec3> outermost;
+  outermost.reserve(directions.size());
   for (const Vec3& direction : directions)
     outermost.push_back(*std::max_element(
         points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(direction) < b.dot(direction); }));

@@ -95,7 +95,7 @@ QString MorphTool::ladderNote(const Value& parameters) const {
   if (!habits_.ladder) return {};
   if (!hasLadder(parameters, controls_.size())) return tr("A morph with a degree or knots has no ladder.");
   if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
-  if (const QString leg = legNote(); !leg.isEmpty()) return leg;
+  if (QString leg = legNote(); !leg.isEmpty()) return leg;
   return ladder_ && !ladder_->complete ? tr("Some of the ladder takes too long to be drawn.") : QString();
 }
 

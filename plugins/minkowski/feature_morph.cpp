@@ -182,7 +182,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
   builder.command("morph")
       .icon("morph")
       .produces({ShapeKind::Region, ShapeKind::Curves})
-      .playedBy({.parameter = "frames", .keys = "keys"})
+      .playedBy({.parameter = "frames", .keys = "keys", .excludedBy = "blossom"})
       .input({.name = "shape",
               .help = "Control shapes, first to last; single points, too, out of which shapes grow.",
               .kinds = {ShapeKind::Region},

@@ -111,6 +111,11 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
   const auto holdsKeys = [&](const ParameterSpec& spec) { return spec.name == played.keys && isFrameKeys(spec); };
   if (!played.keys.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), holdsKeys))
     broken(what, fmt::format("has no keys \"{}\" for the timeline", played.keys));
+  const auto excludes = [&](const ParameterSpec& spec) {
+    return spec.name == played.excludedBy && spec.kind == ParameterKind::List;
+  };
+  if (!played.excludedBy.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), excludes))
+    broken(what, fmt::format("has no list \"{}\" that keeps it from playing", played.excludedBy));
 }
 
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.

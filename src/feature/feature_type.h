@@ -101,6 +101,8 @@ struct PlayedBy {
   std::string parameter;  ///< a count: how many shapes the sequence has; empty: the feature never makes one
   int frames = 25;        ///< as many as Play asks for
   std::string keys = {};  ///< a list as frameKeys() declares it (frame_keys.h); empty: the timeline shows no keys
+  /// A list that says which one shape the feature makes: with anything in it there is no sequence to play.
+  std::string excludedBy = {};
 };
 
 /// Another word by which users look for a feature type.

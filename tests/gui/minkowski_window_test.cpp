@@ -58,6 +58,7 @@ class MinkowskiWindowTest : public WindowFixture {
 
  private:
   void framesThatAreThereAreAskedAbout();
+  void blossomNumbersOfferNoPlay();
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void write(const char* name, const char* text) const;
   void morphBoth();
@@ -147,6 +148,21 @@ void MinkowskiWindowTest::aMorphIsPlayedAndScrubbed() {
   QTRY_VERIFY(playback().frame() > 0 && playback().frame() < lastFrame);  // begun anew and on its way
   QTest::mouseClick(play, Qt::LeftButton);
   QVERIFY(!playback().playing());
+}
+
+/// They name one shape, so that a morph asked for frames besides would fail.
+void MinkowskiWindowTest::blossomNumbersOfferNoPlay() {
+  edit("frames", "1");
+  waitUntilComputed();
+  QTRY_VERIFY(playback().count() < 2);
+  QVERIFY(playback().playable());
+  edit("blossom", "[0.4]");
+  waitUntilComputed();
+  COMPARE_NEAR(measureOf(morph_, "area"), areaAt(0.4), 1e-9);
+  QTRY_VERIFY(!playback().playable());
+  edit("blossom", "[]");
+  waitUntilComputed();
+  QTRY_VERIFY(playback().playable());
 }
 
 /// The file dialog asks about the name that was chosen, which is not that of a frame.

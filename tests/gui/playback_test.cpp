@@ -17,6 +17,7 @@ class PlaybackTest : public QObject {
   void loops();
   void playFromTheEndBeginsAnew();
   void staysWithinTheFrames();
+  void whatIsOfferedPlaysOnceItIsThere();
 };
 
 void PlaybackTest::longestSequenceGivesTheCount() {
@@ -91,6 +92,20 @@ void PlaybackTest::staysWithinTheFrames() {
   QCOMPARE(playback.frame(), 0);
   playback.setFramesPerSecond(1000);
   QCOMPARE(playback.framesPerSecond(), 60);
+}
+
+void PlaybackTest::whatIsOfferedPlaysOnceItIsThere() {
+  for (const bool forgotten : {false, true}) {
+    Playback playback;
+    QSignalSpy wanted(&playback, &Playback::wanted);
+    playback.setOffered(true);
+    playback.setPlaying(true);
+    QCOMPARE(wanted.count(), 1);
+    QVERIFY(!playback.playing());
+    if (forgotten) playback.forgetWish();  // its computing was cancelled
+    playback.setCount(5);
+    QCOMPARE(playback.playing(), !forgotten);
+  }
 }
 
 }  // namespace blossom::ui

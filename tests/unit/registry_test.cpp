@@ -294,6 +294,11 @@ class RegistryTest : public QObject {
     keyed.playedBy.keys = "keys";
     keyed.parameters.push_back(namedWithDefault(frameKeys(), "keys", Value::array()));
     registry.add(keyed);
+    FeatureType excluded = player("copies", 25);
+    excluded.id = "test.excluded";
+    excluded.command = "excluded";
+    excluded.playedBy.excludedBy = "t";
+    VERIFY_ERROR(registry.add(excluded), ErrorCode::PluginBroken);
   }
 
   void aDeclarationIsReplacedInItsPlace() {

@@ -56,6 +56,7 @@ void DocumentPage::connectSession() {
     if (firstLook_.pending() && tree_->selected().empty()) selectLast();
     if (firstLook_.pending()) tree_->scrollToTop();
     refreshTimeline();
+    if (!session_.evaluating()) playback_.forgetWish();
     view_->markItems();
     view_->markOverlay();
     lookAtFirstShapes();

@@ -18,7 +18,7 @@ std::optional<Feature> DocumentPage::offeredSequence() const {
   const auto made = result(feature.id);
   if (!type || feature.suppressed || !feature.visible || !made || made->error) return std::nullopt;
   const PlayedBy& played = type->playedBy;
-  if (played.parameter.empty()) return std::nullopt;
+  if (played.parameter.empty() || !feature.parameters.value(played.excludedBy, Value()).empty()) return std::nullopt;
   const Value given = feature.parameters.value(played.parameter, Value(0));
   if (!given.is_number() || given.get<double>() > 1) return std::nullopt;
   feature.parameters[played.parameter] = played.frames;

@@ -24,6 +24,8 @@ class Playback : public QObject {
   /// Whether something is shown that can be made a sequence: then playing is possible, and asks for it.
   void setOffered(bool);
   [[nodiscard]] bool playable() const { return count_ > 1 || offered_; }
+  /// What was wanted has not come: nothing plays by itself when a sequence comes later.
+  void forgetWish() { awaited_ = false; }
   void show(int frame);   ///< clamped to the count
   void setPlaying(bool);  ///< from the start when it is at the end
   void setLooping(bool looping);

@@ -58,7 +58,7 @@ class Reader {
     if (nameOf(root) != "svg")
       throw damaged(1, fmt::format("the element svg is expected, but there is {}.", shown(root.name())));
     collectNames(root);
-    children(root, page(root), styled(root, Style()), 1);
+    children(root, lengths_.page(root), styled(root, Style()), 1);
     return finished();
   }
 
@@ -76,36 +76,6 @@ class Reader {
       while (node && node != root && !node.next_sibling()) node = node.parent();
       node = node == root ? xml_node() : node.next_sibling();
     }
-  }
-
-  /// From user units of the root to mm with y up.
-  Affine page(const xml_node& root) {
-    const auto width = parseLength(root.attribute("width").value()), height = parseLength(root.attribute("height").value());
-    const double mmX = width ? millimetresOf(width->unit) * width->value : 0,
-                 mmY = height ? millimetresOf(height->unit) * height->value : 0;
-    const auto box = lengths_.viewBox(root);
-    lengths_.physical = mmX > 0 || mmY > 0;
-    lengths_.hasViewBox = box.has_value();
-    double scaleX = lengths_.physical ? 25.4 / 96 : 1, scaleY = scaleX, top = 0, tall = 0;
-    if (box) {
-      lengths_.viewport = {(*box)[2], (*box)[3]};
-      top = (*box)[1];
-      tall = (*box)[3];
-      if (lengths_.physical) {
-        scaleX = mmX > 0 ? mmX / (*box)[2] : mmY / (*box)[3];
-        scaleY = mmY > 0 ? mmY / (*box)[3] : scaleX;
-        const std::string_view aspect = root.attribute("preserveAspectRatio").value();
-        if (aspect.find("none") == std::string_view::npos)
-          scaleX = scaleY =
-              aspect.find("slice") != std::string_view::npos ? std::max(scaleX, scaleY) : std::min(scaleX, scaleY);
-      }
-    } else {
-      lengths_.viewport = {width ? lengths_.userUnits(*width, 0) : 0, height ? lengths_.userUnits(*height, 0) : 0};
-      tall = lengths_.viewport.y();
-    }
-    Affine result = Affine::Identity();
-    result.affine() << scaleX, 0, 0, 0, -scaleY, scaleY * (2 * top + tall);
-    return result;
   }
 
   /// "url(#id)" of an element of this file; what is not there crops nothing.

@@ -69,6 +69,35 @@ std::string_view nameOf(const xml_node& node) {
   return name;
 }
 
+Eigen::Affine2d Lengths::page(const xml_node& root) {
+  const auto width = parseLength(root.attribute("width").value()), height = parseLength(root.attribute("height").value());
+  const double mmX = width ? millimetresOf(width->unit) * width->value : 0,
+               mmY = height ? millimetresOf(height->unit) * height->value : 0;
+  const auto box = viewBox(root);
+  physical = mmX > 0 || mmY > 0;
+  hasViewBox = box.has_value();
+  double scaleX = physical ? 25.4 / 96 : 1, scaleY = scaleX, top = 0, tall = 0;
+  if (box) {
+    viewport = {(*box)[2], (*box)[3]};
+    top = (*box)[1];
+    tall = (*box)[3];
+    if (physical) {
+      scaleX = mmX > 0 ? mmX / (*box)[2] : mmY / (*box)[3];
+      scaleY = mmY > 0 ? mmY / (*box)[3] : scaleX;
+      const std::string_view aspect = root.attribute("preserveAspectRatio").value();
+      if (aspect.find("none") == std::string_view::npos)
+        scaleX = scaleY =
+            aspect.find("slice") != std::string_view::npos ? std::max(scaleX, scaleY) : std::min(scaleX, scaleY);
+    }
+  } else {
+    viewport = {width ? userUnits(*width, 0) : 0, height ? userUnits(*height, 0) : 0};
+    tall = viewport.y();
+  }
+  Eigen::Affine2d result = Eigen::Affine2d::Identity();
+  result.affine() << scaleX, 0, 0, 0, -scaleY, scaleY * (2 * top + tall);
+  return result;
+}
+
 std::size_t Lengths::lineOf(std::ptrdiff_t offset) const {
   const auto end = content_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(content_.size()));
   return 1 + static_cast<std::size_t>(std::count(content_.begin(), end, '\n'));

@@ -21,6 +21,9 @@ class Lengths {
  public:
   explicit Lengths(const std::string& content) : content_(content) {}
 
+  /// Takes the size of the page from the root element. Returns the transformation from its user units to mm with y up.
+  Eigen::Affine2d page(const pugi::xml_node& root);
+
   /// Number of the line, from 1, that contains a byte of the text.
   [[nodiscard]] std::size_t lineOf(std::ptrdiff_t offset) const;
   /// Empty when there is none or its size is zero. @throws Error FormatDamaged.

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "geometry/planar/winding/wide_products.h"
+#include "geometry/planar/winding/anchored_edge.h"
 
 namespace blossom::planar {
 namespace {
@@ -23,14 +23,6 @@ struct Meeting {
   int before = 0;    ///< by how much edges on this one change that are reported instead of it
   std::uint32_t edge = 0;
   std::optional<GridPoint> end;  ///< the other edge ends here
-};
-
-/// Along an edge: the share of it, exact, where it passes a border or a half-integer.
-struct Anchor {
-  bool vertical = false;    ///< the line is x = value, else y = value
-  std::int64_t twice = 0;   ///< twice the coordinate, an odd number
-  int column = 0, row = 0;  ///< of the corner whose winding number is known
-  Fraction t;
 };
 
 [[noreturn]] void notClosed() {
@@ -65,11 +57,12 @@ class EdgeWalker {
 
  private:
   void finishRun(bool fromStart, std::optional<Cell> after, std::vector<BoundaryPiece>& out) {
-    const Anchor anchor = fromStart ? anchorAtStart() : anchorBetween(before_, run_.front());
+    const AnchoredEdge anchored(edges_, cells_, number_);
+    const Anchor anchor = fromStart ? anchored.atStart(run_.front()) : anchored.between(before_, run_.front());
     // Half a unit beyond a run on either side, which its neighbours certify.
     const double slack = 0.5 / static_cast<double>(std::max(by_.x, std::abs(by_.y)));
     const double first = fromStart ? -1 : shareOf(anchor.t) - slack;
-    const double last = after ? shareOf(anchorBetween(run_.back(), *after).t) + slack : 2;
+    const double last = after ? shareOf(anchored.between(run_.back(), *after).t) + slack : 2;
     gather(first, last);
     // What lies on the edge at the anchor, and what is to its left just after it.
     int covering = edge_.count, hidden = 0;
@@ -78,7 +71,7 @@ class EdgeWalker {
       covering += cover.count;
       hidden += cover.hides;
     }
-    int left = windingToLeft(anchor, covering);
+    int left = anchored.windingToLeft(anchor, run_.front(), covering);
     sortMeetings();
     const double start = shareOf(anchor.t);
     std::size_t next = 0;
@@ -113,90 +106,6 @@ class EdgeWalker {
   [[nodiscard]] const Meeting& meeting(std::size_t along) const { return meetings_[sorted_[along].number]; }
 
   static double shareOf(const Fraction& t) { return static_cast<double>(t.over) / static_cast<double>(t.under); }
-
-  [[nodiscard]] Anchor anchorAt(bool vertical, std::int64_t twice, const Cell& corner) const {
-    const std::int64_t from = vertical ? edge_.from.x : edge_.from.y, along = vertical ? by_.x : by_.y;
-    return {vertical, twice, corner.column, corner.row, fraction(Wide(twice - 2 * from), 2 * Wide(along))};
-  }
-
-  /// Half a unit after the start, in the cell of the start because the edge runs no steeper than that.
-  [[nodiscard]] Anchor anchorAtStart() const {
-    const Cell cell = run_.front();
-    if (by_.x >= std::abs(by_.y)) return anchorAt(true, 2 * edge_.from.x + 1, cell);
-    return anchorAt(false, 2 * edge_.from.y + (by_.y > 0 ? 1 : -1), cell);
-  }
-
-  /// On the border between neighbours.
-  [[nodiscard]] Anchor anchorBetween(const Cell& from, const Cell& to) const {
-    if (from.column != to.column) return anchorAt(true, cells_.borderX(to.column), to);
-    if (to.row > from.row) return anchorAt(false, cells_.borderY(to.row), to);
-    return anchorAt(false, cells_.borderY(from.row), {to.column, from.row});
-  }
-
-  /// The winding number just after the anchor, to the left: from the known corner along a border, then straight to the edge.
-  [[nodiscard]] int windingToLeft(const Anchor& anchor, int covering) const {
-    int winding = cells_.windingBelow(anchor.column, anchor.row);
-    for (const std::uint32_t k : cells_.edgesNear(run_.front()))
-      if (k != number_) winding += anchor.vertical ? passedGoingUp(edges_[k], anchor) : passedGoingRight(edges_[k], anchor);
-    // The way came from the right of an edge that runs right or down.
-    return anchor.vertical || by_.y < 0 ? winding + covering : winding;
-  }
-
-  /// Whether an edge that crosses the level of the corner does so beyond x, just below that level.
-  static bool beyond(const CountedEdge& d, std::int64_t twiceX, std::int64_t twiceY) {
-    const bool up = d.to.y > d.from.y;
-    const int side = sideOf(d.from, d.to, twiceX, twiceY);
-    if (side == 0) return !up;
-    return (side > 0) == up;  // the point is to the left of an edge that goes up
-  }
-
-  /// Along the border below the cell to x = value, then up to the edge.
-  [[nodiscard]] int passedGoingUp(const CountedEdge& d, const Anchor& anchor) const {
-    const std::int64_t x0 = cells_.borderX(anchor.column), y0 = cells_.borderY(anchor.row), value = anchor.twice;
-    const GridPoint along = d.to - d.from;
-    int winding = 0;
-    if (value != x0 && (2 * d.from.y < y0) != (2 * d.to.y < y0) && beyond(d, x0, y0) && !beyond(d, value, y0))
-      winding += along.y > 0 ? -d.count : d.count;
-    if (2 * d.from.x < value && 2 * d.to.x > value && sideOf(d.from, d.to, value, y0) <= 0) {
-      int order = compare(heightOf(d, value), heightOf(edge_, value));
-      if (order == 0) order = signOf(cross(by_, along));
-      if (order < 0) winding += d.count;
-    }
-    return winding;
-  }
-
-  /// Up along the border left of the cell to y = value, then right to the edge; just beyond the value, where the edge goes.
-  [[nodiscard]] int passedGoingRight(const CountedEdge& d, const Anchor& anchor) const {
-    const std::int64_t x0 = cells_.borderX(anchor.column), y0 = cells_.borderY(anchor.row), value = anchor.twice;
-    const GridPoint along = d.to - d.from;
-    const bool up = by_.y > 0;
-    int winding = 0;
-    if (2 * d.from.x < x0 && 2 * d.to.x > x0 && sideOf(d.from, d.to, x0, y0) <= 0) {
-      const int side = sideOf(d.from, d.to, x0, value);  // of the end of the way; d runs to the right
-      if (side > 0 || (side == 0 && up)) winding += d.count;
-    }
-    if ((2 * d.from.y < value) != (2 * d.to.y < value)) {
-      const int corner = sideOf(d.from, d.to, x0, value);
-      const bool right = corner == 0 ? up == (along.y > 0) : (corner > 0) == (along.y > 0);
-      if (right) {
-        int order = compare(reachOf(d, value), reachOf(edge_, value));
-        if (order == 0) order = signOf(cross(along, by_)) * (along.y > 0 ? 1 : -1);
-        // cross / (dy cy) has the sign of the difference of dx/dy, and one turns with the way of the edge
-        if (order < 0) winding += along.y > 0 ? -d.count : d.count;
-      }
-    }
-    return winding;
-  }
-
-  /// y where an edge that is not vertical has this x, from the start of the walked edge on.
-  [[nodiscard]] Fraction heightOf(const CountedEdge& d, std::int64_t twiceX) const {
-    return heightAt(d.from, d.to, twiceX, edge_.from.y);
-  }
-  /// x where an edge that is not level has this y, from the start of the walked edge on.
-  [[nodiscard]] Fraction reachOf(const CountedEdge& d, std::int64_t twiceY) const {
-    const auto turned = [](const GridPoint& p) { return GridPoint{p.y, p.x}; };
-    return heightAt(turned(d.from), turned(d.to), twiceY, edge_.from.x);
-  }
 
   struct Cover {
     Fraction from, to;

@@ -152,16 +152,19 @@ void MinkowskiWindowTest::aMorphIsPlayedAndScrubbed() {
 
 /// They name one shape, so that a morph asked for frames besides would fail.
 void MinkowskiWindowTest::blossomNumbersOfferNoPlay() {
-  edit("frames", "1");
-  waitUntilComputed();
-  QTRY_VERIFY(playback().count() < 2);
-  QVERIFY(playback().playable());
-  edit("blossom", "[0.4]");
-  waitUntilComputed();
+  const auto give = [this](const Value& numbers) {
+    Feature morph = window_->page().document().at(morph_);
+    morph.parameters.erase("frames");
+    morph.parameters["blossom"] = numbers;
+    window_->session().commit(window_->page().document().with(morph), QStringLiteral("Blossom"));
+    waitUntilComputed();
+  };
+  give(Value::array());
+  QTRY_VERIFY(playback().playable() && playback().count() < 2);
+  give({0.4});
   COMPARE_NEAR(measureOf(morph_, "area"), areaAt(0.4), 1e-9);
   QTRY_VERIFY(!playback().playable());
-  edit("blossom", "[]");
-  waitUntilComputed();
+  give(Value::array());
   QTRY_VERIFY(playback().playable());
 }
 

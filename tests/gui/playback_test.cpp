@@ -18,6 +18,7 @@ class PlaybackTest : public QObject {
   void playFromTheEndBeginsAnew();
   void staysWithinTheFrames();
   void whatIsOfferedPlaysOnceItIsThere();
+  void framesStayForTheirTime();
 };
 
 void PlaybackTest::longestSequenceGivesTheCount() {
@@ -106,6 +107,25 @@ void PlaybackTest::whatIsOfferedPlaysOnceItIsThere() {
     playback.setCount(5);
     QCOMPARE(playback.playing(), !forgotten);
   }
+}
+
+/// The first of three frames takes nine tenths of the run: while it stays, the others would have come at an even pace.
+void PlaybackTest::framesStayForTheirTime() {
+  Playback playback;
+  playback.setPace({0, 0.9, 0.95});
+  playback.setCount(3);
+  playback.setLooping(false);
+  playback.setFramesPerSecond(10);
+  QElapsedTimer clock;
+  qint64 left = 0;
+  connect(&playback, &Playback::moved, this, [&] {
+    if (playback.frame() == 1) left = clock.elapsed();
+  });
+  clock.start();
+  playback.setPlaying(true);
+  QTRY_VERIFY(!playback.playing());
+  QCOMPARE(playback.frame(), 2);
+  QVERIFY2(left >= 265, qPrintable(QString::number(left)));  // 270 ms, less what the timer may be early
 }
 
 }  // namespace blossom::ui

@@ -179,6 +179,7 @@ bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_-
 void DocumentPage::refreshFrames() {
   const int count = static_cast<int>(scene_.frames());
   if (!session_.coarse()) {
+    playback_.setPace(scene_.beginnings());
     playback_.setCount(count);
     playback_.setOffered(count < 2 && offeredSequence());
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "document/shown.h"
+#include "geometry/shape/frame_times.h"
 #include "scene/onion_skin.h"
 
 namespace blossom::ui {
@@ -123,6 +124,14 @@ std::size_t PageScene::frames() const {
   std::size_t count = 0;
   for (const auto& view : sequences()) count = std::max(count, view->frames->size());
   return count;
+}
+
+std::vector<double> PageScene::beginnings() const {
+  const Sequence* longest = nullptr;
+  for (const auto& view : sequences())
+    if (const auto* sequence = view->shape.get<Sequence>(); !longest || sequence->frames.size() > longest->frames.size())
+      longest = sequence;
+  return longest ? frameBeginnings(*longest) : std::vector<double>();
 }
 
 std::vector<Vec3> PageScene::reach() const {

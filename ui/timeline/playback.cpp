@@ -52,7 +52,7 @@ void Playback::setPlaying(bool play) {
   if (play == playing() || (play && count_ < 2)) return;
   if (play && frame_ == count_ - 1) show(0);
   if (play)
-    clock_.start(1000 / framesPerSecond_);
+    clock_.start(frameMs());
   else
     clock_.stop();
   emit changed();
@@ -65,7 +65,7 @@ void Playback::setLooping(bool looping) {
 
 void Playback::setFramesPerSecond(int rate) {
   framesPerSecond_ = std::clamp(rate, 1, 60);
-  if (playing()) clock_.start(1000 / framesPerSecond_);
+  if (playing()) clock_.start(frameMs());
   emit changed();
 }
 
@@ -76,9 +76,18 @@ void Playback::setOnionSkin(bool on) {
 
 // Timer events that a slow frame delays are not made up for: a sequence that cannot keep its pace plays slower, whole.
 void Playback::advance() {
-  if (frame_ + 1 < count_) return show(frame_ + 1);
-  if (looping_) return show(0);
-  setPlaying(false);
+  if (frame_ + 1 == count_ && !looping_) return setPlaying(false);
+  show((frame_ + 1) % count_);
+  if (frameMs() != clock_.interval()) clock_.setInterval(frameMs());
+}
+
+/// How long the frame shown stays. At an even pace all of them take their share of a second.
+int Playback::frameMs() const {
+  const auto k = static_cast<std::size_t>(frame_);
+  if (beginnings_.size() != static_cast<std::size_t>(count_)) return 1000 / framesPerSecond_;
+  const double end = k + 1 < beginnings_.size() ? beginnings_[k + 1] : 1;
+  const double share = (end - beginnings_[k]) * static_cast<double>(beginnings_.size());
+  return static_cast<int>(std::lround(1000 / framesPerSecond_ * share));
 }
 
 }  // namespace blossom::ui

@@ -1,6 +1,8 @@
 #pragma once
 #include <QObject>
 #include <QTimer>
+#include <utility>
+#include <vector>
 
 namespace blossom::ui {
 
@@ -21,6 +23,8 @@ class Playback : public QObject {
   [[nodiscard]] int frameOf(int frames) const;
 
   void setCount(int frames);  ///< keeps the position as a fraction of the whole; 0 stops
+  /// When each frame begins, as a share of one run, from 0. Frames of another count, or none: all take as long.
+  void setPace(std::vector<double> beginnings) { beginnings_ = std::move(beginnings); }
   /// Whether something is shown that can be made a sequence: then playing is possible, and asks for it.
   void setOffered(bool);
   [[nodiscard]] bool playable() const { return count_ > 1 || offered_; }
@@ -39,11 +43,13 @@ class Playback : public QObject {
 
  private:
   void advance();
+  [[nodiscard]] int frameMs() const;
 
   int count_ = 0, frame_ = 0;
   bool looping_ = true, onionSkin_ = false;
   bool offered_ = false, awaited_ = false;
   int framesPerSecond_ = 24;
+  std::vector<double> beginnings_;
   QTimer clock_;
 };
 

@@ -69,6 +69,37 @@ class MinkowskiTouchingTest : public QObject {
     QVERIFY2(segmentCount(sum) <= 30, fmt::format("{} segments", segmentCount(sum)).c_str());
   }
 
+  /// Wherever the drawing of the arcs begins, at the contact or elsewhere.
+  void roomOfTouchingLoopsHasArcs() {
+    const Region disc = circleRegion(1);
+    const auto room = [&](const Region& shape) { return minkowskiDifference(std::vector{shape, disc}).region; };
+    for (const double start : {0.0, 0.3}) {
+      const Region discs{{circleInArcs(5, 2, {-5, 0}, start), circleInArcs(5, 2, {5, 0}, pi + start)}};
+      QVERIFY2(std::abs(area(room(discs)) - 32 * pi) < 1e-4, fmt::format("{}", area(room(discs)) - 32 * pi).c_str());
+      QVERIFY2(segmentCount(room(discs)) <= 8, fmt::format("{} segments", segmentCount(room(discs))).c_str());
+    }
+    const Region holed{{polygonPath({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), reversed(circleInArcs(3, 2, {10, 3}, -pi / 2))}};
+    const Region sides = room(holed);
+    // What a disc of 1 leaves between the hole, grown to 4, and the other sides: the rectangle less the circle above y = 1.
+    const double below = 16 * std::acos(2 / 4.0) - 2 * std::sqrt(12.0);
+    QVERIFY2(std::abs(area(sides) - (18 * 8 - (16 * pi - below))) < 1e-9, fmt::format("{}", area(sides)).c_str());
+    QCOMPARE(segmentCountOf<Line2>(sides), std::size_t{5});
+  }
+
+  void touchingArcsAddToArcs() {
+    const Region ring{{circleInArcs(10, 2), reversed(circleInArcs(5, 2, {-5, 0}, pi))}};
+    const Region sum = minkowskiSum(std::vector{ring, circleRegion(2)}).region;
+    QVERIFY2(std::abs(area(sum) - (144 - 9) * pi) < 1e-9, fmt::format("{}", area(sum) - 135 * pi).c_str());
+    QCOMPARE(segmentCountOf<Line2>(sum), std::size_t{0});
+  }
+
+  void onlyRoomOfPolygonsMayBeLarger() {
+    const auto warnings = [](double radius) {
+      return minkowskiDifference(std::vector{circleRegion(5), circleRegion(radius)}).warnings.size();
+    };
+    QCOMPARE(warnings(4.9999999), std::size_t{0});
+  }
+
   void roomOfDiscsIsADisc() {
     for (const double size : {1.0, 1e3, 1e5, 1e6}) {
       const Region a{{circleInArcs(size + 1, 3, {size, 2})}}, b{{circleInArcs(size, 2, {-1, 5}, 0.3)}};

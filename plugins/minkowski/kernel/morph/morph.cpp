@@ -255,10 +255,10 @@ class Morph {
 /// Progress is reported in steps of a fiftieth, because the sums of many frames report too often.
 Progress inSteps(const Progress& progress) {
   constexpr double step = 0.02;
-  const auto last = std::make_shared<double>(-1.0);  // shared by all parts
+  const auto last = std::make_shared<std::atomic<double>>(-1.0);  // shared by all parts, which report from any thread
   return Progress(progress.token(), [&progress, last](double fraction, const std::string& stage) {
-    if (std::abs(fraction - *last) < step) return;
-    *last = fraction;
+    double before = *last;
+    if (std::abs(fraction - before) < step || !last->compare_exchange_strong(before, fraction)) return;
     progress.report(fraction, stage);
   });
 }

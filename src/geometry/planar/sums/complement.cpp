@@ -58,7 +58,7 @@ Polygons complement(const Polygons& polygons, const Vec2& size, const Progress& 
 std::optional<SoundRegion> complement(const SoundRegion& shape, const Vec2& size, const Progress& progress) {
   std::vector<Path> paths{framePath(frameAround(extentOf(shape), size))};
   for (const Path& loop : shape.region.loops) paths.push_back(reversed(loop));
-  auto region = nestedPaths(paths, shape.tolerance, progress);
+  auto region = nestedTouchingPaths(paths, shape.tolerance, progress);
   if (!region) return std::nullopt;
   return SoundRegion{*std::move(region), shape.tolerance};
 }

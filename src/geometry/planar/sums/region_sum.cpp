@@ -79,18 +79,6 @@ double smallestDefault(std::span<const Region> regions) {
   return smallest;
 }
 
-/// Whether free-form curves of the shapes are to bound the room: those of the first, and where that is no convex polygon
-/// also those of the others, which roll over its inner corners and along its arcs.
-bool boundRoom(std::span<const Region> regions) {
-  if (hasSplines(regions.front())) return true;
-  if (std::none_of(regions.begin() + 1, regions.end(), hasSplines)) return false;
-  if (hasCurves(regions.front())) return true;
-  Region first = regions.front();
-  for (Path& loop : first.loops)
-    if (signedArea(loop) < 0) loop = reversed(loop);
-  return !isConvex(SoundRegion{std::move(first)});
-}
-
 }  // namespace
 
 double weightOf(const RegionSumOptions& options, std::size_t i) {
@@ -144,13 +132,24 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
     return result;
   }
   constexpr double wide = 50;
-  if (curved && thicknessOf(result.region) < wide * tolerance)
+  // Lines and arcs that come of true ones are as they are.
+  if (curved && !hasCurves(result.region) && thicknessOf(result.region) < wide * tolerance)
     result.warnings.push_back(
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",
                     tolerance));
-  warnOfLines(boundRoom(regions), result.region, tolerance, result.warnings);
+  warnOfLines(splinesBoundRoom(regions.front(), std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region, tolerance, result.warnings);
   return result;
+}
+
+bool splinesBoundRoom(const Region& area, bool splinesFit) {
+  if (hasSplines(area)) return true;
+  if (!splinesFit) return false;
+  if (hasCurves(area)) return true;
+  Region first = area;
+  for (Path& loop : first.loops)
+    if (signedArea(loop) < 0) loop = reversed(loop);
+  return !isConvex(SoundRegion{std::move(first)});
 }
 
 void warnOfLines(bool hasCurvesOfShapes, const Region& result, const std::optional<double>& tolerance,

@@ -51,6 +51,11 @@ std::string nothingLeft(std::optional<double> toleranceOfCurves);
 /// The factor of shape i in a sum.
 double weightOf(const RegionSumOptions&, std::size_t i);
 
+/// Whether free-form curves are to bound the room of a difference: those of the first shape, and where that is no convex
+/// polygon also those of the others, which roll over its inner corners and along its arcs.
+/// @param splinesFit  whether a shape that is to fit inside has free-form curves
+bool splinesBoundRoom(const Region& first, bool splinesFit);
+
 /// Adds a warning to a result that is of straight lines alone although it should have free-form curves.
 void warnOfLines(bool hasCurvesOfShapes, const Region& result, const std::optional<double>& tolerance,
                  std::vector<std::string>& warnings);

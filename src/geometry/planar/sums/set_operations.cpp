@@ -160,7 +160,8 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
   }
   result.set.area = std::move(room.region);
   if (result.set.empty()) result.warnings.push_back(nothingLeft(std::nullopt));
-  warnOfLines(drawsSplines(sets.front()), result.set.area, options.tolerance, result.warnings);
+  const bool splinesFit = std::any_of(sets.begin() + 1, sets.end(), drawsSplines);
+  warnOfLines(splinesBoundRoom(sets.front().area, splinesFit), result.set.area, options.tolerance, result.warnings);
   return result;
 }
 

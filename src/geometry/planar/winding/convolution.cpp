@@ -42,7 +42,7 @@ struct NumberedLoop {
 
   [[nodiscard]] std::uint32_t ofCorner(std::size_t i) const {
     if (!numbers) return CornerNumbers::unknown;
-    return cornerNumbers.empty() ? numbers->of(loop[i]) : cornerNumbers[i];
+    return cornerNumbers.empty() ? numbers->of(loop[i], loop[(i + 1) % loop.size()]) : cornerNumbers[i];
   }
   [[nodiscard]] std::uint32_t ofEdge(std::size_t i) const {
     if (!numbers) return CornerNumbers::unknown;
@@ -310,14 +310,26 @@ std::size_t CornerNumbers::PointHash::operator()(const GridPoint& p) const {
 }
 
 void CornerNumbers::add(const GridPoint& at, const GridPoint& next) {
-  const auto [place, isNew] = numbers_.try_emplace(at, static_cast<std::uint32_t>(next_.size()));
-  if (!isNew) place->second = unknown;
+  const auto number = static_cast<std::uint32_t>(next_.size());
+  const auto [place, isNew] = numbers_.try_emplace(at, number);
+  if (!isNew) {
+    std::vector<std::uint32_t>& equal = equal_[at];
+    if (equal.empty()) equal.push_back(place->second);
+    equal.push_back(number);
+  }
   next_.push_back(next);
 }
 
-std::uint32_t CornerNumbers::of(const GridPoint& corner) const {
+std::uint32_t CornerNumbers::of(const GridPoint& corner, const GridPoint& next) const {
   const auto place = numbers_.find(corner);
-  return place == numbers_.end() ? unknown : place->second;
+  if (place == numbers_.end()) return unknown;
+  const auto equal = equal_.find(corner);
+  if (equal == equal_.end()) return place->second;
+  const auto leadsThere = [&](std::uint32_t number) { return next_[number] == next; };
+  const auto& numbers = equal->second;
+  const auto found = std::find_if(numbers.begin(), numbers.end(), leadsThere);
+  const bool single = found != numbers.end() && std::none_of(std::next(found), numbers.end(), leadsThere);
+  return single ? *found : unknown;
 }
 
 std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) const {
@@ -326,7 +338,7 @@ std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) 
   Wide length = -1;
   GridPoint at = from;
   for (int i = 0; i <= mostDropped; ++i) {
-    const std::uint32_t number = of(at);
+    const std::uint32_t number = of(at, to);
     if (number == unknown) return unknown;
     const GridPoint along = next_[number] - at;
     if (dot(along, along) > length) {

@@ -28,9 +28,9 @@ class CornerNumbers {
  public:
   static constexpr std::uint32_t unknown = ~std::uint32_t(0);
 
-  /// Numbers the corners from 0 on; corners that are equal count as unknown.
+  /// Numbers the corners from 0 on. Those that are equal, where loops touch, are told apart by the corners after them.
   void add(const GridPoint& at, const GridPoint& next);
-  [[nodiscard]] std::uint32_t of(const GridPoint& corner) const;
+  [[nodiscard]] std::uint32_t of(const GridPoint& corner, const GridPoint& next) const;
   /// The edge that leads from a corner to the next one, or the longest of some where corners between them were dropped.
   [[nodiscard]] std::uint32_t ofEdge(const GridPoint& from, const GridPoint& to) const;
 
@@ -38,7 +38,8 @@ class CornerNumbers {
   struct PointHash {
     std::size_t operator()(const GridPoint&) const;
   };
-  std::unordered_map<GridPoint, std::uint32_t, PointHash> numbers_;
+  std::unordered_map<GridPoint, std::uint32_t, PointHash> numbers_;  ///< of corners that are equal, the last
+  std::unordered_map<GridPoint, std::vector<std::uint32_t>, PointHash> equal_;
   std::vector<GridPoint> next_;
 };
 

@@ -11,6 +11,7 @@
 #include "core/place_text.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/crossing/surface_crossing.h"
+#include "kernel/crossing_cause.h"
 #include "kernel/cubic_approximation.h"
 #include "kernel/grid/motion_point.h"
 #include "kernel/validity.h"
@@ -121,46 +122,6 @@ bool addAllButCrossing(const Motion& motion, const Surface& surface, std::option
 }
 
 }  // namespace
-
-namespace {
-
-/// Whether the path there bends to a radius that the section reaches. A motion that stands or only turns has no path.
-bool bendsTightly(const Motion& motion, const Vec2& at) {
-  constexpr int around = 32;
-  constexpr double margin = 1.5;
-  const auto [low, high] = motion.domainU();
-  const auto [first, last] = motion.domainV();
-  const double aside = 0.01 * (last - first), v = std::clamp(at.y(), first + aside, last - aside);
-  const auto path = [&](double t) -> Vec3 { return point(motion.trajectory, t); };
-  const Vec3 middle = path(v), back = path(v - aside) - middle, on = path(v + aside) - middle;
-  double reach = 0;
-  for (int k = 0; k < around; ++k)
-    reach = std::max(reach, (evaluate(motion, low + (high - low) * k / around, v).point - middle).norm());
-  if (on.norm() + back.norm() < 1e-4 * reach) return true;
-  // The radius of the circle through three places is |on| |back| |on - back| / (2 |on x back|).
-  return on.norm() * back.norm() * (on - back).norm() < 2 * margin * reach * on.cross(back).norm();
-}
-
-}  // namespace
-
-CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec2& second) {
-  const auto share = [](double a, double b, std::pair<double, double> domain, bool closed) {
-    const double d = std::abs(a - b) / (domain.second - domain.first);
-    return closed ? std::min(d, 1 - d) : d;
-  };
-  const double alongU = share(first.x(), second.x(), motion.domainU(), motion.closedU != ClosedU::No);
-  const double alongV = share(first.y(), second.y(), motion.domainV(), false);
-  constexpr double same = 0.02, beside = 0.3;
-  if (alongV < same)
-    return {fmt::format("the section at v = {:.3g} crosses itself.", (first.y() + second.y()) / 2),
-            "Even out its scaling and rotation along u."};
-  const bool nearBend = alongV < beside || (alongU < same && (bendsTightly(motion, first) || bendsTightly(motion, second)));
-  if (nearBend)
-    return {"the motion bends or turns more tightly than its sections are wide.",
-            "Make the sections smaller there, or the bend of the trajectory wider."};
-  return {"two parts of the motion that are far apart along v pass through each other.",
-          "Move the trajectory apart there, or make the sections smaller."};
-}
 
 void addValidity(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                  const Progress& progress) {

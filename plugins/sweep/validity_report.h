@@ -23,10 +23,4 @@ void addValidity(const Motion&, const Surface& surface, std::optional<double> de
 /// The same for a solid over the surface, which does not cross itself: it would have been refused.
 void addValidityOfSolid(const Motion&, const Surface& surface, std::optional<double> deviation, Evaluated&, const Progress&);
 
-/// Why a surface crosses itself at two places of its domain, and what to do.
-struct CrossingCause {
-  std::string cause, remedy;
-};
-CrossingCause causeOfCrossing(const Motion&, const Vec2& first, const Vec2& second);
-
 }  // namespace blossom::sweep

@@ -59,6 +59,29 @@ class SweepFoldTest : public QObject {
  private slots:
   void initTestCase() { random_ = seededRandom(); }
 
+  /// What rounding leaves of the normals at a pole points anywhere.
+  void aSphereDoesNotFold() {
+    for (const double radius : {10.0, 17.3, 20.0, drawn(1, 100)})
+      for (const std::size_t rows : {4, 7, 8, 12, 16, 20, 24, 31, 32})
+        for (const std::size_t columns : {4, 8, 16}) {
+          const Motion sphere =
+              primitiveMotion({.kind = PrimitiveKind::Sphere, .radius = radius, .rows = rows, .columns = columns}).motion;
+          QVERIFY2(!examine(sphere).fold, qPrintable(QStringLiteral("%1 %2 %3").arg(radius).arg(rows).arg(columns)));
+        }
+  }
+
+  /// x = 10 (2 u - 1)^2 runs back over itself at u = 1/2, where a sample lies.
+  void aFoldOnASampleIsFound() {
+    Motion motion;
+    motion.point = Vec3(1, 1, 1);
+    motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 0, 20, 1)}};
+    motion.orientation = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Vec4>(4, Vec4(1, 0, 0, 0))};
+    motion.scaling = {2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {}};
+    for (const double x : {10.0, -10.0, 10.0}) motion.scaling.poles.insert(motion.scaling.poles.end(), 2, Vec4(x, 1, 0, 1));
+    const auto fold = examine(motion).fold;
+    QVERIFY(fold && std::abs(fold->u - 0.5) < 0.1);
+  }
+
   void aSideThatTurnsBackFolds() {
     for (int round = 0; round < 20; ++round) {
       const double back = drawn(5, 40), radius = drawn(5, 20);

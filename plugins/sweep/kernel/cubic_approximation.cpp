@@ -195,7 +195,11 @@ double deviation(const Motion& motion, const Surface& surface, int samples, doub
       for (std::size_t i = 0; i < given[0].size(); ++i) {
         const double dx = given[0][i] - wanted.point[0][i], dy = given[1][i] - wanted.point[1][i],
                      dz = given[2][i] - wanted.point[2][i];
-        square = std::max(square, dx * dx + dy * dy + dz * dz);
+        const double here = dx * dx + dy * dy + dz * dz;
+        if (!std::isfinite(here))
+          throw Error(ErrorCode::Degenerate, "The motion sweeps places beyond every number.",
+                      "Make its factors smaller, or keep their weights away from 0.");
+        square = std::max(square, here);
       }
       const double found = std::sqrt(square);
       for (double known = largest; known < found && !largest.compare_exchange_weak(known, found);) {

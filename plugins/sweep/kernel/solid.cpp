@@ -169,8 +169,12 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
   return {EndCap::Cone, toFace(cone(surface, poles, origin))};
 }
 
-/// Where on the end section the start section begins, as a share of the way round, when both are one curve.
-std::optional<double> turnOfOneEnd(const Surface& surface, const Progress& progress) {
+/// The start section and the end section, when both are one curve but for a small part of it.
+struct EndsMeet {
+  double turn = 0;  ///< where on the end section the start section begins, as a share of the way round: -1/2 to 1/2
+  double gap = 0;   ///< the largest distance found, mm
+};
+std::optional<EndsMeet> whereEndsMeet(const Surface& surface, const Progress& progress) {
   constexpr int coarse = 32, fine = 1024;
   constexpr double nearby = 1e-4;  // of the section
   const auto [first, last] = surface.domainV();
@@ -181,7 +185,7 @@ std::optional<double> turnOfOneEnd(const Surface& surface, const Progress& progr
   Box3 box;
   for (int k = 0; k < fine; ++k) box.extend(end.emplace_back(at(k, fine, last)));
   const double near = nearby * box.diagonal().norm();
-  std::optional<double> turn;
+  EndsMeet meet;
   for (int k = 0; k < coarse; ++k) {
     progress.check();
     const Vec3 p = at(k, coarse, first);
@@ -192,19 +196,27 @@ std::optional<double> turnOfOneEnd(const Surface& surface, const Progress& progr
       if (const double distance = (p - a - t * along).norm(); distance < least) least = distance, place = i + t;
     }
     if (least > near) return std::nullopt;
-    if (k == 0) turn = place / fine;
+    if (k == 0) meet.turn = place / fine - std::round(place / fine);
+    meet.gap = std::max(meet.gap, least);
   }
-  return turn;
+  return meet;
 }
 
 /// Two caps in one place would be a wall inside of the ring.
 void refuseTurnedRing(const Surface& surface, const Progress& progress) {
-  const std::optional<double> turn = turnOfOneEnd(surface, progress);
-  if (!turn) return;
+  const std::optional<EndsMeet> meet = whereEndsMeet(surface, progress);
+  if (!meet) return;
+  constexpr double unturned = 1e-3;
+  if (std::abs(meet->turn) < unturned)
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("The ends of the sweep lie on each other at {}, but for {:.2g} mm: two walls would stay inside "
+                            "of the ring.",
+                            placeText(euclidean(surface.pole(0, 0))), meet->gap),
+                "Close the trajectory, move the ends apart, or leave out --solid.");
   throw Error(ErrorCode::InvalidInput,
               fmt::format("The ends of the sweep meet at {}, but turned by {:.3g} of the way round: a wall would stay "
                           "inside of the ring.",
-                          placeText(euclidean(surface.pole(0, 0))), *turn),
+                          placeText(euclidean(surface.pole(0, 0))), std::abs(meet->turn)),
               "Turn the motion back by as much on the way along v, or leave out --solid.");
 }
 
@@ -292,8 +304,10 @@ SolidResult build(Surface surface, const Progress& progress) {
   if (const auto place = selfCrossing(result.solid, progress))
     throw crossingAt(
         *place, size, ".",
-        "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may "
-        "cross itself.");
+        ring ? "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may "
+               "cross itself."
+             : "Make the sections smaller where the motion bends or turns, and keep the faces that close its ends clear of "
+               "the rest; or leave out --solid: the surface alone may cross itself.");
   return result;
 }
 

@@ -36,23 +36,27 @@ class NormalSamples {
     length_.reserve(us_.size() * vs_.size());
     for (std::size_t k = 0; k < us_.size(); ++k)
       for (std::size_t l = 0; l < vs_.size(); ++l) length_.push_back(grid_.duAt(k, l).cross(grid_.dvAt(k, l)).norm());
+    largest_ = *std::max_element(length_.begin(), length_.end());
   }
 
   [[nodiscard]] double at(const Place& p) const { return length_[p.k * vs_.size() + p.l]; }
-  [[nodiscard]] double largest() const { return *std::max_element(length_.begin(), length_.end()); }
+  [[nodiscard]] double largest() const { return largest_; }
 
   [[nodiscard]] Vec3 normal(const Place& p) const { return grid_.duAt(p.k, p.l).cross(grid_.dvAt(p.k, p.l)); }
   [[nodiscard]] Vec2 parameters(const Place& p) const { return {us_[p.k], vs_[p.l]}; }
 
-  /// Neighbours whose normals point away from each other, the first ones.
+  /// Neighbours whose normals point away from each other, the first ones. A sample without a normal, at a pole or just where
+  /// the surface folds, is passed over: what rounding leaves there points anywhere.
   [[nodiscard]] std::vector<std::pair<Place, Place>> turns() const {
     constexpr std::size_t most = 64;
     constexpr double away = -0.5;  // cosine
     std::vector<std::pair<Place, Place>> found;
     for (std::size_t k = 0; k < us_.size(); ++k)
       for (std::size_t l = 0; l < vs_.size(); ++l)
-        for (const Place& next : {Place{k + 1, l}, Place{k, l + 1}}) {
-          if (next.k == us_.size() || next.l == vs_.size() || found.size() == most) continue;
+        for (const Place& step : {Place{1, 0}, Place{0, 1}}) {
+          Place next{k + step.k, l + step.l};
+          if (within(next) && !hasNormal(next)) next = {k + 2 * step.k, l + 2 * step.l};
+          if (!within(next) || !hasNormal({k, l}) || !hasNormal(next) || found.size() == most) continue;
           if (normal({k, l}).dot(normal(next)) < away * at({k, l}) * at(next)) found.push_back({{k, l}, next});
         }
     return found;
@@ -91,6 +95,9 @@ class NormalSamples {
   }
 
  private:
+  [[nodiscard]] bool within(const Place& p) const { return p.k < us_.size() && p.l < vs_.size(); }
+  [[nodiscard]] bool hasNormal(const Place& p) const { return at(p) > 1e-9 * largest_; }
+
   /// Of neighbours that are equal up to rounding the first one alone: a fold along a line is one place.
   [[nodiscard]] bool isLow(std::size_t k, std::size_t l) const {
     constexpr double rounding = 1e-9;
@@ -106,6 +113,7 @@ class NormalSamples {
   std::vector<double> us_, vs_;
   MotionGrid grid_;
   std::vector<double> length_;
+  double largest_ = 0;
 };
 
 /// The least normal near a sample: finer samples in smaller and smaller windows about the least one.
@@ -139,8 +147,10 @@ bool runsThroughPoint(const Motion& motion, const Vec2& at) {
     return width;
   };
   const double aside = 0.01 * (highV - lowV);
-  return widthAt(at.y()) <=
-         point * std::min(widthAt(std::min(highV, at.y() + aside)), widthAt(std::max(lowV, at.y() - aside)));
+  double beside = std::numeric_limits<double>::infinity();  // at an end of the motion there are sections on one side only
+  if (at.y() + aside <= highV) beside = std::min(beside, widthAt(at.y() + aside));
+  if (at.y() - aside >= lowV) beside = std::min(beside, widthAt(at.y() - aside));
+  return widthAt(at.y()) <= point * beside;
 }
 
 /// Whether the normal reverses between two places: on the way it vanishes, or jumps to the opposite. At a sharp edge it

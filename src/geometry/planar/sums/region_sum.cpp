@@ -138,7 +138,8 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",
                     tolerance));
-  warnOfLines(splinesBoundRoom(regions.front(), std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region, tolerance, result.warnings);
+  warnOfLines(splinesBoundRoom(regions.front(), std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region,
+              tolerance, result.warnings);
   return result;
 }
 

@@ -86,13 +86,6 @@ class MinkowskiTouchingTest : public QObject {
     QCOMPARE(segmentCountOf<Line2>(sides), std::size_t{5});
   }
 
-  void touchingArcsAddToArcs() {
-    const Region ring{{circleInArcs(10, 2), reversed(circleInArcs(5, 2, {-5, 0}, pi))}};
-    const Region sum = minkowskiSum(std::vector{ring, circleRegion(2)}).region;
-    QVERIFY2(std::abs(area(sum) - (144 - 9) * pi) < 1e-9, fmt::format("{}", area(sum) - 135 * pi).c_str());
-    QCOMPARE(segmentCountOf<Line2>(sum), std::size_t{0});
-  }
-
   void onlyRoomOfPolygonsMayBeLarger() {
     const auto warnings = [](double radius) {
       return minkowskiDifference(std::vector{circleRegion(5), circleRegion(radius)}).warnings.size();

@@ -949,8 +949,8 @@
 <context>
     <name>blossom::sweep::GoalEntry</name>
     <message>
-        <source>A target has three coordinates: x, y, z.</source>
-        <translation>Ein Ziel hat drei Koordinaten: x, y, z.</translation>
+        <source>A target has three coordinates: x, y, z. One that is left empty stays, as in &quot;0, -20,&quot;.</source>
+        <translation>Ein Ziel hat drei Koordinaten: x, y, z. Eine leere bleibt, wie in „0, -20,“.</translation>
     </message>
 </context>
 <context>

@@ -949,8 +949,8 @@
 <context>
     <name>blossom::sweep::GoalEntry</name>
     <message>
-        <source>A target has three coordinates: x, y, z.</source>
-        <translation>목표에는 좌표가 셋 있어야 합니다: x, y, z.</translation>
+        <source>A target has three coordinates: x, y, z. One that is left empty stays, as in &quot;0, -20,&quot;.</source>
+        <translation>목표에는 좌표가 셋 있어야 합니다: x, y, z. &quot;0, -20,&quot;처럼 비워 둔 좌표는 그대로입니다.</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ class SweepGoalWindowTest : public SweepFixture {
   void cleanup() { window_.reset(); }
 
   void aTypedTargetIsReachedExactly();
+  void aTargetIsTypedFromWhereThePlaceIs();
   void aTargetIsTypedDuringADrag();
   void theSurfaceFollowsWhatIsTypedSoFar();
   void tabGoesToTheNextCoordinate();
@@ -73,6 +74,18 @@ void SweepGoalWindowTest::aTypedTargetIsReachedExactly() {
   waitUntilComputed();
   QVERIFY(std::ranges::equal(document().features(), before.features()));
   QVERIFY(motionOf(document().at(sweep_).inputs.front()) == motion);
+}
+
+void SweepGoalWindowTest::aTargetIsTypedFromWhereThePlaceIs() {
+  openSample("cylinder.json");
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  type(QStringLiteral("@2, , -1.5"));
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  const Value record = valuesOf("sweep.pull")["pulls"][0];
+  QVERIFY((vectorOf(record["to"]) - pointOf(source_, record) - Vec3(2, 0, -1.5)).norm() < 1e-11);
 }
 
 void SweepGoalWindowTest::aTargetIsTypedDuringADrag() {

@@ -1,3 +1,4 @@
+#include <QMenu>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -28,6 +29,8 @@ class SweepWindowTest : public SweepFixture {
   void theSamePlaceIsTheSamePull();
   void thereAndBackChangesNothing();
   void escapeTakesBack();
+  void nothingComesBetweenADrag();
+  void aPinnedPlaceIsNotPulled();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
   void keysStayInForceWhenSomethingElseIsSelected();
@@ -217,6 +220,48 @@ void SweepWindowTest::escapeTakesBack() {
   waitUntilComputed();
   QVERIFY(std::ranges::equal(document().features(), before.features()));
   QVERIFY(surfaceOf(sweep_) == swept);
+}
+
+/// Neither commands by their keys nor the other button.
+void SweepWindowTest::nothingComesBetweenADrag() {
+  openSample("cylinder.json");
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  const QPoint from = onTheSide();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(50, 10));
+  const Document during = document();
+  for (const Qt::Key pressed : {Qt::Key_Delete, Qt::Key_X}) QTest::keyClick(&window_->view(), pressed);
+  QTest::keyClick(&window_->view(), Qt::Key_N, Qt::ControlModifier);
+  const QPointF at = from + QPoint(50, 10), global = window_->view().mapToGlobal(at);
+  for (const auto& [type, buttons] : {std::pair(QEvent::MouseButtonPress, Qt::LeftButton | Qt::RightButton),
+                                      std::pair(QEvent::MouseButtonRelease, Qt::MouseButtons(Qt::LeftButton))}) {
+    QMouseEvent event(type, at, global, Qt::RightButton, buttons, {});
+    QApplication::sendEvent(&window_->view(), &event);
+  }
+  QVERIFY(std::ranges::equal(document().features(), during.features()));
+  QVERIFY2(hint().startsWith(QStringLiteral("Let go to pull")), qPrintable(hint()));
+  QVERIFY(!window_->findChild<QMenu*>(QStringLiteral("contextMenu")));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(50, 10));
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+}
+
+/// What its pins hold does not become a pull that moves nothing.
+void SweepWindowTest::aPinnedPlaceIsNotPulled() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_S);
+  key(Qt::Key_P);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(40, 0));
+  QVERIFY2(hint().startsWith(QStringLiteral("Nothing will be changed here")), qPrintable(hint()));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(40, 0));
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
 }
 
 /// Whatever was clicked before, such as the row of the sweep in the tree.

@@ -152,6 +152,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void markTool();
   void bringToolUpToDate();
   bool offerKey(const QKeyEvent&);
+  [[nodiscard]] bool secondButton(const QMouseEvent*) const;
   bool offerTab(const QKeyEvent&);
   void takeKeys();
   void hoverAt(QPointF at, Qt::KeyboardModifiers);

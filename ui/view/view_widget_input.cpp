@@ -46,12 +46,18 @@ QString ViewWidget::restingHint() const {
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   event->accept();
+  if (secondButton(event)) return;
   toolHasMouse_ = tool_ && tool_->press(toolEvent(event->position(), event->button(), event->modifiers()));
   pressedAt_ = event->position();
   if (toolHasMouse_)
     navigation_->giveUp();
   else
     startDrag(event->position(), event->buttons(), event->modifiers());
+}
+
+// What is dragged stays with the button that took it: neither menus nor the camera come between.
+bool ViewWidget::secondButton(const QMouseEvent* event) const {
+  return toolHasMouse_ && (event->buttons() & ~Qt::MouseButtons(event->button())) != Qt::NoButton;
 }
 
 // A tool says itself what is selected.
@@ -76,6 +82,7 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (secondButton(event)) return;
   const QPointF at = event->position();
   const bool taken = tool_ && tool_->release(toolEvent(at, event->button(), event->modifiers()));
   const bool ofTool = toolHasMouse_ || taken;
@@ -119,7 +126,8 @@ bool ViewWidget::event(QEvent* event) {
     event->accept();
     return true;
   }
-  if (event->type() == QEvent::ShortcutOverride && offerKey(static_cast<const QKeyEvent&>(*event))) {
+  // Nor do commands come between: Delete would take away what the tool is dragging.
+  if (event->type() == QEvent::ShortcutOverride && (offerKey(static_cast<const QKeyEvent&>(*event)) || toolHasMouse_)) {
     event->accept();
     return true;
   }

@@ -51,6 +51,8 @@ StatusLine::StatusLine(QWidget* parent)
   row->addWidget(bar_);
   row->addWidget(cancel_);  // last, so that no text that grows moves it from under the mouse
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  // On a small screen they give way: no text may make the window wider.
+  for (QWidget* text : {static_cast<QWidget*>(whereabouts_), static_cast<QWidget*>(workText_)}) text->setMinimumWidth(1);
   hint_->installEventFilter(this);
   announcing_.setSingleShot(true);
   announcing_.setInterval(6000);

@@ -36,7 +36,7 @@ void LiveEdit::judge(const EditResult& result) {
   if (result.obstacles.empty()) return;
   const Explanation reason = explain(result.obstacles.front());
   reason_ = ui::saidInFull(reason.what, reason.remedy);
-  nearest_ = std::all_of(result.obstacles.begin(), result.obstacles.end(), isShared);
+  nearest_ = result.movedPoles > 0 && std::all_of(result.obstacles.begin(), result.obstacles.end(), isShared);
   remainder_ = result.remainder;
 }
 

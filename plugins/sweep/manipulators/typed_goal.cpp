@@ -11,7 +11,7 @@ namespace {
 constexpr qsizetype coordinates = 3;
 
 [[noreturn]] void refuseNumberOfCoordinates() {
-  throw Error(ErrorCode::InvalidParameter, GoalEntry::tr("A target has three coordinates: x, y, z.").toStdString());
+  throw Error(ErrorCode::InvalidParameter, GoalEntry::tr("A target has three coordinates: x, y, z. One that is left empty stays, as in \"0, -20,\".").toStdString());
 }
 
 /// Between commas, but for those within parentheses; semicolons part as well.
@@ -74,7 +74,10 @@ GoalEntry::Goal GoalEntry::goalSoFar(const ui::ToolHost& host) const {
 }
 
 GoalEntry::Goal GoalEntry::pointGoal(const ui::ToolHost& host) const {
-  QStringList parts = coordinatesIn(text_.text());
+  QString text = text_.text().trimmed();
+  const bool relative = text.startsWith(u'@');  // from where the place is
+  if (relative) text.remove(0, 1);
+  QStringList parts = coordinatesIn(text);
   if (parts.size() > coordinates) refuseNumberOfCoordinates();
   while (parts.size() < coordinates) parts << QString();
   Goal goal{present_, 0, Value::array()};
@@ -84,6 +87,7 @@ GoalEntry::Goal GoalEntry::pointGoal(const ui::ToolHost& host) const {
       spec.name = std::array{"x", "y", "z"}.at(static_cast<std::size_t>(k));
       goal.written.push_back(host.typed(spec, parts[k].trimmed()));
       goal.point[k] = checked(spec, goal.written.back()).get<double>();
+      if (relative) goal.written.back() = goal.point[k] = present_[k] + goal.point[k];
     } else {
       goal.written.push_back(present_[k]);
     }

@@ -2018,6 +2018,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>%1 wird von %2 gebraucht.</translation>
     </message>
     <message>
+        <source>Delete alone</source>
+        <translation>Allein löschen</translation>
+    </message>
+    <message>
         <source>Delete all %1</source>
         <translation>Alle %1 löschen</translation>
     </message>

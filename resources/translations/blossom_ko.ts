@@ -2018,6 +2018,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>%1은(는) %2에서 쓰입니다.</translation>
     </message>
     <message>
+        <source>Delete alone</source>
+        <translation>이것만 삭제</translation>
+    </message>
+    <message>
         <source>Delete all %1</source>
         <translation>%1개 모두 삭제</translation>
     </message>

@@ -102,6 +102,20 @@ Document withoutAll(Document document, const std::vector<FeatureId>& ids) {
   return document;
 }
 
+std::optional<Document> withoutSteps(Document document, const std::vector<FeatureId>& ids) {
+  for (const FeatureId& id : ids) {
+    const std::vector<FeatureId> inputs = document.at(id).inputs;
+    if (inputs.size() != 1) return std::nullopt;
+    for (const FeatureId& of : document.usersOf(id)) {
+      Feature user = document.at(of);
+      std::replace(user.inputs.begin(), user.inputs.end(), id, inputs.front());
+      document = document.with(std::move(user));
+    }
+    document = document.without(id);
+  }
+  return document;
+}
+
 Document withOnlyVisible(Document document, const std::vector<FeatureId>& ids) {
   const Set shown = setOf(ids);
   Set all;

@@ -28,6 +28,7 @@ class DocumentTreeTest : public TreeFixture {
   void draggedOntoAPlace();
   void movedTogetherInEveryOrder();
   void deletedWithWhatUsesIt();
+  void aStepIsDeletedAlone();
   void theOfferGoesWhenTheDocumentChanges();
   void whatIsSelectedKeepsItsTurn();
   void suppressedInsteadOfDeleted();
@@ -181,6 +182,24 @@ void DocumentTreeTest::deletedWithWhatUsesIt() {
   choose({"d"});
   trigger("edit.delete");
   QCOMPARE(order(), (std::vector<FeatureId>{"a", "b", "c"}));
+  undo();
+}
+
+/// What goes on from a step is made of what the step was made of.
+void DocumentTreeTest::aStepIsDeletedAlone() {
+  QCOMPARE(document().at("b").inputs, std::vector<FeatureId>{"a"});
+  QCOMPARE(document().usersOf("b"), std::vector<FeatureId>{"d"});
+  choose({"b"});
+  trigger("edit.delete");
+  QPushButton* alone = offered(QStringLiteral("Delete alone"));
+  QVERIFY(alone);
+  QTest::mouseClick(alone, Qt::LeftButton);
+  QCOMPARE(order(), (std::vector<FeatureId>{"a", "c", "d"}));
+  QCOMPARE(document().at("d").inputs, std::vector<FeatureId>{"a"});
+  undo();
+  choose({"a"});  // of nothing else: what is made of it could not stay
+  trigger("edit.delete");
+  QVERIFY(!offered(QStringLiteral("Delete alone")));
   undo();
 }
 

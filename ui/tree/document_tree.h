@@ -74,6 +74,7 @@ class DocumentTree : public QListView {
   [[nodiscard]] std::size_t rowAt(QPoint) const;
   void refuseRemoval(const std::vector<FeatureId>& ids, const std::vector<FeatureId>& users);
   void remove(const std::vector<FeatureId>&);
+  void removeSteps(const std::vector<FeatureId>&);
   void suppress(const std::vector<FeatureId>&, bool);
   void addCopies(const Document& clip, const std::vector<FeatureId>& wanted, const QString& one, const QString& several);
   void applyFilter();

@@ -96,6 +96,12 @@ void DocumentTree::remove(const std::vector<FeatureId>& ids) {
   attempt(titled(ids, tr("Delete %1"), tr("Delete %1 features")), [&] { return withoutAll(session_.document(), ids); });
 }
 
+/// What was made of them is made of what they were made from.
+void DocumentTree::removeSteps(const std::vector<FeatureId>& ids) {
+  attempt(titled(ids, tr("Delete %1"), tr("Delete %1 features")),
+          [&] { return withoutSteps(session_.document(), ids).value_or(session_.document()); });
+}
+
 void DocumentTree::removeSelected() {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
@@ -118,9 +124,11 @@ void DocumentTree::refuseRemoval(const std::vector<FeatureId>& ids, const std::v
     std::erase_if(wanted, [this](const FeatureId& id) { return !session_.document().contains(id); });
     return wanted;
   };
-  emit refused(Error(ErrorCode::InUse, tr("%1 is used by %2.").arg(subject, list).toStdString(), hint.toStdString()),
-               {{tr("Delete all %1").arg(all.size()), [this, all, there] { remove(there(all)); }},
-                {tr("Suppress"), [this, ids, there] { suppress(there(ids), true); }}});
+  std::vector<Offer> offers{{tr("Delete all %1").arg(all.size()), [this, all, there] { remove(there(all)); }},
+                               {tr("Suppress"), [this, ids, there] { suppress(there(ids), true); }}};
+  if (withoutSteps(session_.document(), ids))
+    offers.insert(offers.begin(), {tr("Delete alone"), [this, ids, there] { removeSteps(there(ids)); }});
+  emit refused(Error(ErrorCode::InUse, tr("%1 is used by %2.").arg(subject, list).toStdString(), hint.toStdString()), offers);
 }
 
 void DocumentTree::stepSelected(int by) {

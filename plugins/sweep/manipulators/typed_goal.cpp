@@ -11,7 +11,9 @@ namespace {
 constexpr qsizetype coordinates = 3;
 
 [[noreturn]] void refuseNumberOfCoordinates() {
-  throw Error(ErrorCode::InvalidParameter, GoalEntry::tr("A target has three coordinates: x, y, z. One that is left empty stays, as in \"0, -20,\".").toStdString());
+  throw Error(ErrorCode::InvalidParameter,
+              GoalEntry::tr("A target has three coordinates: x, y, z. One that is left empty stays, as in \"0, -20,\".")
+                  .toStdString());
 }
 
 /// Between commas, but for those within parentheses; semicolons part as well.

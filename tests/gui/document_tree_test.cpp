@@ -200,7 +200,6 @@ void DocumentTreeTest::aStepIsDeletedAlone() {
   choose({"a"});  // of nothing else: what is made of it could not stay
   trigger("edit.delete");
   QVERIFY(!offered(QStringLiteral("Delete alone")));
-  undo();
 }
 
 /// What is told of a document is not told of another one.

@@ -86,6 +86,25 @@ class MinkowskiTouchingTest : public QObject {
     QCOMPARE(segmentCountOf<Line2>(sides), std::size_t{5});
   }
 
+  /// In the midst of arcs of both, where a chord of the outline cuts into the hole.
+  void aRoundHoleMayTouchItsOutlineAnywhere() {
+    for (int k = 0; k < 24; ++k) {
+      const double angle = 0.1 + k * pi / 12;
+      const Vec2 middle = 5 * Vec2(std::cos(angle), std::sin(angle));
+      const Region region{{circleInArcs(10, 2), reversed(circleInArcs(5, 2, middle, 0.4 + 0.9 * k))}};
+      const Region sum = minkowskiSum(std::vector{region, circleRegion(2)}).region;
+      QVERIFY2(std::abs(area(sum) - (144 - 9) * pi) < 5e-3, fmt::format("{} {}", k, area(sum) - 135 * pi).c_str());
+      const Region room = minkowskiDifference(std::vector{region, circleRegion(1)}).region;
+      // A disc of 9 less one of 6, whose centres are 5 apart.
+      const auto lens = [](double r, double s, double d) {
+        const double x = (d * d + r * r - s * s) / (2 * d), y = d - x;
+        return r * r * std::acos(x / r) - x * std::sqrt(r * r - x * x) + s * s * std::acos(y / s) -
+               y * std::sqrt(s * s - y * y);
+      };
+      QVERIFY2(std::abs(area(room) - (81 * pi - lens(9, 6, 5))) < 5e-3, fmt::format("{}", area(room)).c_str());
+    }
+  }
+
   void onlyRoomOfPolygonsMayBeLarger() {
     const auto warnings = [](double radius) {
       return minkowskiDifference(std::vector{circleRegion(5), circleRegion(radius)}).warnings.size();

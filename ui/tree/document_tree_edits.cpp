@@ -125,10 +125,11 @@ void DocumentTree::refuseRemoval(const std::vector<FeatureId>& ids, const std::v
     return wanted;
   };
   std::vector<Offer> offers{{tr("Delete all %1").arg(all.size()), [this, all, there] { remove(there(all)); }},
-                               {tr("Suppress"), [this, ids, there] { suppress(there(ids), true); }}};
+                            {tr("Suppress"), [this, ids, there] { suppress(there(ids), true); }}};
   if (withoutSteps(session_.document(), ids))
     offers.insert(offers.begin(), {tr("Delete alone"), [this, ids, there] { removeSteps(there(ids)); }});
-  emit refused(Error(ErrorCode::InUse, tr("%1 is used by %2.").arg(subject, list).toStdString(), hint.toStdString()), offers);
+  emit refused(Error(ErrorCode::InUse, tr("%1 is used by %2.").arg(subject, list).toStdString(), hint.toStdString()),
+               offers);
 }
 
 void DocumentTree::stepSelected(int by) {

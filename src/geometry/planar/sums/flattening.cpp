@@ -14,6 +14,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/bounding_polyline.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/sums/touching_arcs.h"
 #include "geometry/planar/winding/nesting.h"
 #include "geometry/planar/winding/snap_rounding.h"
 #include "geometry/planar/winding/winding_faces.h"
@@ -138,7 +139,7 @@ bool crossInside(const Edge& a, const Edge& b, Vec2& place) {
          "Correct the outline there; where thin curved parts are drawn too coarsely, lower the tolerance.");
 }
 
-void refuseCrossings(const std::vector<Loop>& loops, const std::string& name, const Progress& progress) {
+std::optional<Vec2> crossingOf(const std::vector<Loop>& loops, const Progress& progress) {
   std::vector<Edge> edges;
   std::vector<Box2> boxes;
   for (const Loop& loop : loops)
@@ -146,11 +147,13 @@ void refuseCrossings(const std::vector<Loop>& loops, const std::string& name, co
       const Edge& edge = edges.emplace_back(Edge{loop[i], loop[(i + 1) % loop.size()]});
       boxes.emplace_back(edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to));
     }
+  std::optional<Vec2> found;
   forEachNearPair<2>(boxes, 0, progress, [&](std::size_t i, std::size_t j) {
     Vec2 place;
-    if (crossInside(edges[i], edges[j], place)) refuseCrossing(name, place);
-    return true;
+    if (crossInside(edges[i], edges[j], place)) found = place;
+    return !found;
   });
+  return found;
 }
 
 /// What passes through corners or along edges, and so crosses nothing inside of two edges: outlines drawn twice, loops that
@@ -232,7 +235,8 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
 /// A region that passed all checks.
 struct CheckedRegion {
   double tolerance;
-  Nesting nesting;  ///< of its loops, flattened
+  Nesting nesting;                     ///< of its loops, flattened
+  std::optional<Region> divided = {};  ///< the same with arcs divided where they touch, if need be
 };
 
 CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
@@ -249,7 +253,14 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
   const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);
-  if (!nesting.clear()) refuseCrossings(all, name, progress);
+  if (!nesting.clear())
+    if (const auto crossing = crossingOf(all, progress)) {
+      auto divided = dividedWhereArcsTouch(region, progress);
+      if (!divided) refuseCrossing(name, *crossing);
+      CheckedRegion checked = checkedRegion(*divided, options, name, progress);
+      if (!checked.divided) checked.divided = std::move(divided);
+      return checked;
+    }
   if (!nesting.clear() && options.effort)
     options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
   refuseOverlaps(nesting, confusion, name, progress);
@@ -295,7 +306,7 @@ Polygons flattened(const Region& region, const FlatteningOptions& options, const
                    const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
   if (options.side == Approximation::Either || !hasCurves(region)) return checked.nesting.polygons(progress);
-  return flattenedBeside(region, checked.tolerance, options.side, progress);
+  return flattenedBeside(checked.divided ? *checked.divided : region, checked.tolerance, options.side, progress);
 }
 
 Polygons polygonsBeside(const SoundRegion& shape, Approximation side, const std::string& name, const Progress& progress,
@@ -310,9 +321,10 @@ SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, 
   const auto parts = hasCurves(region) ? checked.nesting.touchingParts(progress) : checked.nesting.parts();
   if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
   SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
+  const std::vector<Path>& loops = checked.divided ? checked.divided->loops : region.loops;
   for (const auto& [outer, holes] : *parts) {
-    sound.region.loops.push_back(withoutPoints(region.loops[outer], progress));
-    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(region.loops[hole], progress));
+    sound.region.loops.push_back(withoutPoints(loops[outer], progress));
+    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(loops[hole], progress));
   }
   return sound;
 }

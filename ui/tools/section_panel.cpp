@@ -62,7 +62,7 @@ void SectionPanel::build() {
   slider_->setPageStep(sliderSteps / 20);
   slider_->setFixedWidth(180);
   slider_->setAccessibleName(tr("Offset of the section"));
-  offset_->setFixedWidth(96);
+  offset_->setFixedWidth(offset_->fontMetrics().horizontalAdvance(QStringLiteral("-0000.00000 mm")) + 24);
   offset_->setAlignment(Qt::AlignRight);
   offset_->setAccessibleName(tr("Offset of the section"));
   offset_->setToolTip(tr("Where it cuts, such as 12.5 or 1/2 in"));

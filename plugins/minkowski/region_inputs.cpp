@@ -64,7 +64,13 @@ PlanarSet setOfCurve(const Curve& curve) {
                   fmt::format("The curve is not in the plane z = 0: a pole lies {:.3g} mm above it.", pole.z() / pole.w()),
                   "Move or turn it into that plane.");
   Path path;
-  path.segments.emplace_back(toSpline(curve));
+  if (curve.degree == 1)  // it runs from pole to pole
+    for (std::size_t k = 1; k < curve.poles.size(); ++k) {
+      const Vec4 &from = curve.poles[k - 1], &to = curve.poles[k];
+      path.segments.emplace_back(Line2{from.head<2>() / from.w(), to.head<2>() / to.w()});
+    }
+  else
+    path.segments.emplace_back(toSpline(curve));
   path.closed = (startPoint(path) - endPoint(path)).norm() <= Tolerance{}.joining;
   return setOfDrawing({{std::move(path)}, FillRule::EvenOdd});
 }

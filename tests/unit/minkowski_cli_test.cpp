@@ -56,6 +56,24 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(opened.result("arcs"), 4.0);
   }
 
+  /// Curves of degree 1 are lines, which stay lines.
+  void segmentsAreLines() {
+    const Answer stadium = blossom({"minkowski-sum", "segment:10:0:0", "circle:1"});
+    COMPARE_NEAR(stadium.result("area"), 20 + pi, 1e-12);
+    QCOMPARE(stadium.result("lines"), 2.0);
+    QCOMPARE(stadium.result("arcs"), 2.0);
+  }
+
+  /// What would vanish on the grid of so large a shape is refused with its width.
+  void whatIsTooThinForItsLengthIsRefused() {
+    for (const char* command : {"minkowski-sum", "morph"}) {
+      const Answer thin = blossom({command, "rectangle:1e7:1e-6", "circle:1"});
+      QCOMPARE(thin.code, 1);
+      QVERIFY2(thin.message().find("only 1e-06 mm wide") != std::string::npos, thin.message().c_str());
+    }
+    COMPARE_NEAR(blossom({"minkowski-sum", "rectangle:1e6:1e-6", "circle:1"}).result("area"), 2e6 + pi + 1, 0.1);
+  }
+
   void copiesAndHulls() {
     const Answer three = blossom({"region-repeat", "rectangle:4:2", "--count", "3"});
     COMPARE_NEAR(three.result("area"), 9 * 8, 1e-9);

@@ -98,6 +98,7 @@ RegionRepeatResult regionRepeat(const Region& region, const RegionRepeatOptions&
           ? 0
           : distanceToHull(repetition.region, around.region, std::max(chord * scale, 1e-6 * chord / share), progress)
                 .distance;
+  result.isHull = result.hullDistance <= 0;
   result.region = repetition.region;
   return result;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include "core/error.h"
@@ -14,6 +13,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/bounding_polyline.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/sums/loop_checks.h"
 #include "geometry/planar/sums/touching_arcs.h"
 #include "geometry/planar/winding/nesting.h"
 #include "geometry/planar/winding/snap_rounding.h"
@@ -167,33 +167,6 @@ void refuseOverlaps(const Nesting& nesting, double confusion, const std::string&
            "Remove what is drawn twice there, or correct the outline.");
 }
 
-/// A loop drawn twice, once either way round, would cancel out.
-void refuseTwice(const std::vector<Loop>& loops, const std::string& name) {
-  std::set<std::vector<std::pair<double, double>>> seen;
-  for (const Loop& loop : loops) {
-    std::vector<std::pair<double, double>> corners;
-    for (const Vec2& p : loop) corners.emplace_back(p.x(), p.y());
-    std::sort(corners.begin(), corners.end());
-    if (!seen.insert(std::move(corners)).second)
-      refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that is drawn twice.", at(loop.front())),
-             "Remove one of the two.");
-  }
-}
-
-void refuseStrayHole(const Nesting& nesting, const std::vector<Loop>& loops, const std::string& name) {
-  if (const auto hole = nesting.strayHole())
-    refuse(ErrorCode::InvalidInput, name, fmt::format("has a hole at {} that is in no outline.", at(loops[*hole].front())),
-           "Draw an outline around it, or remove it.");
-}
-
-void refuseEmptyLoops(const std::vector<Loop>& loops, double confusion, const std::string& name) {
-  for (const Loop& loop : loops) {
-    if (std::abs(signedArea(loop)) <= perimeter(loop) * confusion)
-      refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that encloses nothing.", at(loop.front())),
-             "Remove it, or lower the tolerance if it is small.");
-  }
-}
-
 std::vector<Loop> cornersOf(const Region& region, double tolerance, double confusion, const std::string& name,
                             const Progress& progress) {
   std::vector<Loop> all;
@@ -266,6 +239,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   refuseOverlaps(nesting, confusion, name, progress);
   refuseTwice(all, name);
   refuseEmptyLoops(all, confusion, name);
+  refuseCollapsed(nesting, all, extent.size(), name);
   refuseStrayHole(nesting, all, name);
   return {tolerance, std::move(nesting)};
 }

@@ -108,6 +108,7 @@ std::optional<Document> withoutSteps(Document document, const std::vector<Featur
     if (inputs.size() != 1) return std::nullopt;
     for (const FeatureId& of : document.usersOf(id)) {
       Feature user = document.at(of);
+      if (std::find(user.inputs.begin(), user.inputs.end(), inputs.front()) != user.inputs.end()) return std::nullopt;
       std::replace(user.inputs.begin(), user.inputs.end(), id, inputs.front());
       document = document.with(std::move(user));
     }

@@ -21,7 +21,7 @@ Document withSuppressed(Document, const std::vector<FeatureId>& ids, bool suppre
 /// Users go before what they use. @throws Error InUse when one of them is used by a feature that stays.
 Document withoutAll(Document, const std::vector<FeatureId>& ids);
 
-/// The same where each of `ids` is made from one shape, which their users then take instead; nothing where one is not.
+/// The same where each of `ids` is made from one shape, which users take instead; nothing where one does so already.
 std::optional<Document> withoutSteps(Document, const std::vector<FeatureId>& ids);
 
 /// Only `ids` are visible.

@@ -42,7 +42,8 @@ void refuseEmptyLoops(const std::vector<Loop>& loops, double confusion, const st
 
 /// On the grid of a shape that is so large, a loop may have no width: what is added to it would be missed in silence.
 void refuseCollapsed(const Nesting& nesting, const std::vector<Loop>& loops, double size, const std::string& name) {
-  constexpr double told = 8;  // units of the grid
+  if (nesting.clear()) return;
+  constexpr double told = 64;  // units of the grid
   for (const Loop& loop : loops)
     if (const double width = 2 * signedArea(loop) / perimeter(loop); width > 0 && width < told * nesting.grid().unit)
       refuse(ErrorCode::LimitExceeded, name,

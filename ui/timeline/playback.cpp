@@ -87,7 +87,7 @@ int Playback::frameMs() const {
   if (beginnings_.size() != static_cast<std::size_t>(count_)) return 1000 / framesPerSecond_;
   const double end = k + 1 < beginnings_.size() ? beginnings_[k + 1] : 1;
   const double share = (end - beginnings_[k]) * static_cast<double>(beginnings_.size());
-  return static_cast<int>(std::lround(1000 / framesPerSecond_ * share));
+  return static_cast<int>(std::lround(1000.0 / framesPerSecond_ * share));
 }
 
 }  // namespace blossom::ui

@@ -73,6 +73,25 @@ Surface coilWithGap(const std::vector<double>& gap) {
   return throughRows(rows);
 }
 
+/// A cylinder about z of radius 10, as arcs of these angles one after the other.
+Surface cylinderOfArcs(const std::vector<double>& angles) {
+  Surface surface{2, 1, {0}, {0, 0, 1, 1}, {}};
+  double angle = 0;
+  const auto add = [&](double at, double weight, double radius) {
+    for (const double z : {0.0, cylinderHeight})
+      surface.poles.emplace_back(weight * radius * std::cos(at), weight * radius * std::sin(at), weight * z, weight);
+  };
+  add(0, 1, 10);
+  surface.knotsU.insert(surface.knotsU.end(), 2, 0.0);
+  for (const double turn : angles) {
+    add(angle + turn / 2, std::cos(turn / 2), 10 / std::cos(turn / 2));
+    add(angle += turn, 1, 10);
+    surface.knotsU.insert(surface.knotsU.end(), 2, angle);
+  }
+  surface.knotsU.push_back(angle);
+  return surface;
+}
+
 /// Parabolas one after the other, extruded.
 Surface extrudedParabolas(const std::vector<Vec2>& poles) {
   Surface surface{2, 1, {}, {0, 0, 1, 1}, {}};
@@ -133,6 +152,26 @@ class SurfaceCrossingTest : public QObject {
         QVERIFY(found->depth > 0 && found->depth <= a);
         QVERIFY(inner < 1 || std::abs(found->point.z() - cylinderHeight / 2) < 0.2);
       }
+  }
+
+  /// The same triangles twice, and triangles of two divisions of one cylinder.
+  void sheetsThatCoverOneAnotherAreTold() {
+    const CrossingResult coil = findCrossing(coilWithGap({0, 0, 0, 0}));
+    QVERIFY(coil.covered && !coil.deepest);
+    const double share = 5 * std::numbers::pi / 6;  // of one arc in three, at the seams of which the cylinder goes on
+    for (const double other : {0.5, 0.9, 1.3, share}) {
+      const CrossingResult wound = findCrossing(cylinderOfArcs({share, share, share, other}));
+      QVERIFY2(wound.covered && !wound.deepest, qPrintable(QString::number(other)));
+      COMPARE_NEAR(wound.covered->head<2>().norm(), 10.0, 1e-6);
+    }
+  }
+
+  void sheetsThatOnlyTouchOrGoOnDoNotCover() {
+    const double third = 2 * std::numbers::pi / 3;
+    QVERIFY(!findCrossing(cylinderOfArcs({third, third, third})).covered);
+    QVERIFY(!findCrossing(cylinderOfArcs({third, third, 0.9 * third})).covered);
+    for (const double a : {0.05, 0.5, 2.0})
+      for (const double inner : {1.0, -1.0 / 3}) QVERIFY(!findCrossing(coilWithGap({a, -inner * a, -inner * a, a})).covered);
   }
 
   void sheetsThatTouchAlongALineDoNotCross() {

@@ -169,10 +169,13 @@ class SweepSolidTest : public QObject {
 
   /// The ends of a body are told apart however short the domain of its parameters is.
   void shortDomainsHaveTheirEnds() {
-    for (const double length : {1e-6, 1e-9, 5e-10, 1e-12, 1e6}) {
+    for (const auto& [from, length] : std::vector<std::pair<double, double>>{
+             {0, 1e-6}, {0, 1e-9}, {0, 5e-10}, {0, 1e-12}, {0, 1e6}, {1, 1e-5}, {1, 1e-6}, {1, 3e-7}, {-1e3, 1e-5}}) {
       Motion motion = readMotionOf("cylinder.json");
       for (std::vector<double>* knots : {&motion.trajectory.knots, &motion.orientation.knotsV, &motion.scaling.knotsV})
-        for (double& knot : *knots) knot *= length;
+        for (double& knot : *knots) knot = from + knot * length;
+      for (std::vector<double>* knots : {&motion.orientation.knotsU, &motion.scaling.knotsU})
+        for (double& knot : *knots) knot = from + knot * std::min(length, 1e-3);
       const SolidResult solid = makeSolid(productSurface(motion).surface);
       verifySolid(solid);
       COMPARE_NEAR(volumeOf(solid), pi * 100 * 40, 1e-6 * pi * 100 * 40);

@@ -46,6 +46,16 @@ class SweepUnreachedTest : public QObject {
     QVERIFY(pullMiddle({15, 3, 20}, {0, 1, 1}).obstacles.empty());
   }
 
+  /// Whatever the shares could not do for one target alone, that there are two is the reason.
+  void twoTargetsOfOnePlaceAreNamed() {
+    for (const PullWeights& weights : {PullWeights{1, 0, 0}, PullWeights{0, 1, 0}, PullWeights{0, 0, 1}, PullWeights{0, 1, 1}}) {
+      const EditResult result = pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {0, 15, 20}}, weights});
+      QVERIFY(says(result, Unreached::TwoTargets));
+      QVERIFY(result.obstacles.size() == 1);
+    }
+    QVERIFY(pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {15, 0, 20}}, {0, 0, 1}}).obstacles.empty());
+  }
+
   void rotationKeepsTheRadius() {
     const EditResult result = pullMiddle({0, 25, 20}, {0, 1, 0});
     QVERIFY(says(result, Unreached::Radius));

@@ -70,6 +70,16 @@ class SweepWarningsTest : public QObject {
     QVERIFY2(pulled.warnings[0].starts_with("At u = 1.237, v = 0.2059, "), pulled.warnings[0].c_str());
   }
 
+  /// Neither a crossing nor none: 1 1/3 turns of one cylinder.
+  void aSurfaceThatLiesOnItselfIsTold() {
+    Motion motion = pointedCoil(1);
+    for (Vec4& pole : motion.scaling.poles) pole = Vec4(10, 10, 10, 1);
+    const Evaluated coil = made("sweep", {}, {motion});
+    QVERIFY2(coil.warnings.at(0).starts_with("The surface lies on itself near ("), coil.warnings.at(0).c_str());
+    QVERIFY(!std::any_of(coil.figures.begin(), coil.figures.end(),
+                         [](const Measure& each) { return each.name == "crosses_itself"; }));
+  }
+
   /// A thin tube along a loop crosses where the path does, and not because it bends.
   void whyItCrosses() {
     const Shape loop = polynomial({{0, 0, 0}, {160, 400, 0}, {-160, 400, 0}, {0, 0, 0.001}});

@@ -169,11 +169,14 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
   return {EndCap::Cone, toFace(cone(surface, poles, origin))};
 }
 
-/// The start section and the end section, when both are one curve but for a small part of it.
+/// How the sections at the start and at the end lie on each other.
 struct EndsMeet {
   double turn = 0;  ///< where on the end section the start section begins, as a share of the way round: -1/2 to 1/2
   double gap = 0;   ///< the largest distance found, mm
 };
+
+/// Compares the section at the start with the one at the end, which may begin elsewhere along the same curve.
+/// @returns nothing where a place of the first is off the other by more than 1e-4 of it
 std::optional<EndsMeet> whereEndsMeet(const Surface& surface, const Progress& progress) {
   constexpr int coarse = 32, fine = 1024;
   constexpr double nearby = 1e-4;  // of the section
@@ -246,13 +249,14 @@ TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
   return solid;
 }
 
-/// OCCT takes parameters within 1e-9 for the same. A power of two lengthens the domain and changes no point.
+/// OCCT takes parameters within 1e-9 for the same, and finer ones of long domains for different. A domain that begins at 0
+/// and is lengthened by a power of two has the same points.
 void lengthenIfShort(std::vector<double>& knots) {
-  constexpr double shortest = 1e-6;
-  const double length = knots.back() - knots.front();
+  constexpr double shortest = 1e-4;
+  const double first = knots.front(), length = knots.back() - first;
   if (!(length < shortest)) return;
   const double factor = std::ldexp(1.0, -std::ilogb(length));
-  for (double& knot : knots) knot *= factor;
+  for (double& knot : knots) knot = (knot - first) * factor;
 }
 
 /// Where coordinates leave too few digits to the shape, whatever goes wrong is their doing.

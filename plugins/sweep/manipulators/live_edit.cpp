@@ -11,7 +11,9 @@ namespace blossom::sweep {
 namespace {
 
 /// What least squares leave of it is as little as can be.
-bool isShared(const Obstacle& obstacle) { return obstacle.why == Unreached::TooClose || obstacle.why == Unreached::Pinned; }
+bool isShared(const Obstacle& obstacle) {
+  return obstacle.why == Unreached::TooClose || obstacle.why == Unreached::Pinned || obstacle.why == Unreached::TwoTargets;
+}
 
 }  // namespace
 

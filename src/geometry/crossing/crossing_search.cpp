@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/crossing/local_sheets.h"
+#include "geometry/crossing/lying_sheets.h"
 
 namespace blossom {
 namespace {
@@ -108,6 +109,7 @@ class Examiner {
       if (!meeting || isOnePlace(*meeting)) continue;
       const bool tangent = meeting->sine < leastSine;
       if (tangent && (tangentLeft == 0 || tangentTries == 0 || isNear(tangent_, meeting->point, tangentApart))) continue;
+      if (tangent) tellIfCovered(*meeting, result);
       if (isNear(examined_, meeting->point, result.deepest ? 10 : firstRadius)) continue;
       if (!tangent) ++result.meetings, examined_.push_back(meeting->point);
       const std::optional<double> depth = tangent ? depthOfTangent(*meeting) : depthAt(*meeting);
@@ -119,11 +121,19 @@ class Examiner {
       if (!result.deepest || *depth > result.deepest->depth)
         result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, *depth};
     }
+    for (const auto* lying : {&found.lying, &found.alike})
+      for (const TrianglePair& pair : *lying)
+        if (const auto meeting = result.covered ? std::nullopt : meetingOf(pair); meeting && !isOnePlace(*meeting))
+          tellIfCovered(*meeting, result);
     result.divided = around_.trianglesDivided();
     return result;
   }
 
  private:
+  void tellIfCovered(const SheetMeeting& meeting, CrossingResult& result) const {
+    if (!result.covered && sheets_.areOneSurface() && lieOnEachOther(sheets_, meeting, 2 * depth_, mesh_.size))
+      result.covered = meeting.point;
+  }
   [[nodiscard]] std::optional<SheetMeeting> meetingOf(const TrianglePair& pair) const {
     const SheetTriangle &a = mesh_.triangles[pair.first], &b = mesh_.triangles[pair.second];
     const auto atA = mesh_.at(a), atB = mesh_.at(b);

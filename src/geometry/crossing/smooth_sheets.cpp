@@ -84,6 +84,16 @@ Vec2 SmoothSheets::apart(int face, const Vec2& a, const Vec2& b) const {
   return result;
 }
 
+bool SmoothSheets::isInDomain(int face, const Vec2& at) const {
+  const Vec2 inside = withinDomain(face, at);
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const Closure& c = closures_[static_cast<std::size_t>(face)][static_cast<std::size_t>(k)];
+    const double slack = 1e-9 * (c.to - c.from);
+    if (!c.isPeriodic && !(inside[k] >= c.from - slack && inside[k] <= c.to + slack)) return false;
+  }
+  return true;
+}
+
 SurfaceFrame SmoothSheets::frame(int face, const Vec2& at) const {
   if (surface_) return blossom::frame(*surface_, at.x(), at.y());
   gp_Pnt point;

@@ -16,6 +16,9 @@ class SmoothSheets {
   explicit SmoothSheets(const Surface&);
   explicit SmoothSheets(const TopoDS_Shape&);
 
+  /// Whether they belong to a single surface, which is not trimmed.
+  [[nodiscard]] bool areOneSurface() const { return surface_ != nullptr; }
+
   /// Point and first derivatives, mm and mm per unit of the parameters. The surface goes on beyond the border of a face.
   [[nodiscard]] SurfaceFrame frame(int face, const Vec2& at) const;
 
@@ -24,6 +27,8 @@ class SmoothSheets {
   [[nodiscard]] Vec2 withinDomain(int face, const Vec2& at) const;
   /// How far apart parameters are, either way the short way round where the face is closed.
   [[nodiscard]] Vec2 apart(int face, const Vec2& a, const Vec2& b) const;
+  /// Whether the untrimmed face has that place. One that is closed goes on beyond its ends.
+  [[nodiscard]] bool isInDomain(int face, const Vec2& at) const;
 
  private:
   /// Of a face in one direction.

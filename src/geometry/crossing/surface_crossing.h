@@ -23,6 +23,8 @@ struct SurfaceCrossing {
 
 struct CrossingResult {
   std::optional<SurfaceCrossing> deepest;              ///< of the places that were examined; nothing when there is none
+  /// Of a single surface: a place around which sheets of it cover one another, which is no crossing but no sound surface.
+  std::optional<Vec3> covered;
   double size = 0;                                     ///< mm, diagonal of the box around the shape
   std::size_t triangles = 0, pairs = 0, meetings = 0;  ///< searched, found to meet, and confirmed on the smooth surface
   std::size_t divided = 0;  ///< triangles that were made or taken around the meetings, which is most of the work there

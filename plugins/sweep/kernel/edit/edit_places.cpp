@@ -150,11 +150,27 @@ void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
   changeSurface(result_.motion.scaling, closureOfScaling(result_.motion), seams_.scaling, base_.scaling, all);
 }
 
+void EditPlaces::markContradictions(const std::function<bool(std::size_t, std::size_t)>& differ) {
+  constexpr double same = 1e-12;  // of the domain
+  const auto length = [](std::pair<double, double> domain) { return domain.second - domain.first; };
+  const double nearU = same * length(result_.motion.domainU()), nearV = same * length(result_.motion.domainV());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    for (std::size_t j = i + 1; j < places_.size(); ++j) {
+      EditPlace &a = places_[i], &b = places_[j];
+      if (a.of == b.of || std::abs(a.at.u - b.at.u) > nearU || std::abs(a.at.v - b.at.v) > nearV || !differ(i, j)) continue;
+      a.contradicted = b.contradicted = true;
+    }
+}
+
 EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise) {
   const Unreached shared = !pins_.empty() ? Unreached::Pinned : symmetric_ ? Unreached::Symmetry : Unreached::TooClose;
   result_.remainders.assign(given_.size(), 0);
   for (const EditPlace& place : places_) {
     const double remainder = left(place);
+    if (!std::isfinite(remainder))
+      throw Error(ErrorCode::Degenerate,
+                  fmt::format("At u = {:.4g}, v = {:.4g}, the edited motion has no finite point.", place.at.u, place.at.v),
+                  "Choose a nearer target.");
     double& largest = result_.remainders[place.of];
     largest = std::max(largest, remainder);
     result_.remainder = std::max(result_.remainder, remainder);
@@ -164,6 +180,10 @@ EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& l
       if (std::find(result_.obstacles.begin(), result_.obstacles.end(), obstacle) == result_.obstacles.end())
         result_.obstacles.push_back(obstacle);
     };
+    if (place.contradicted) {
+      tell(Unreached::TwoTargets);
+      continue;
+    }
     for (const Unreached why : place.obstacles) tell(why);
     if (place.obstacles.empty()) tell(together_ ? shared : otherwise);
   }

@@ -19,6 +19,7 @@ struct EditPlace {
   Eigen::Matrix3d turn;  ///< what becomes of vectors from t(v)
   std::size_t of = 0;    ///< index of the place of the edit
   std::vector<Unreached> obstacles = {};
+  bool contradicted = false;  ///< another place of the edit lies there and is to go elsewhere
 };
 
 /// The places and pins of an edit with their copies, as rows of the factors, and the motion while it is edited. What pulls
@@ -41,9 +42,11 @@ class EditPlaces {
 
   [[nodiscard]] const Motion& motion() const { return result_.motion; }
   [[nodiscard]] const std::vector<EditPlace>& places() const { return places_; }
+  /// Marks places of the edit that lie at one spot, where `differ(i, j)` says that they are to go to different points.
+  void markContradictions(const std::function<bool(std::size_t, std::size_t)>& differ);
 
   /// The result; a place has arrived when at most `allowed` of it is `left`. @param otherwise the reason when there is no
-  /// other
+  /// other  @throws Error Degenerate where what is left is no number
   EditResult finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise);
 
  private:

@@ -43,6 +43,8 @@ Explanation reasonOf(Unreached why) {
       return {"the copies of the place ask for more than the poles they share can do",
               "Move the place away from the mirror or from its copies, or choose a target that is its own mirror image; the "
               "trajectory is shared by all copies."};
+    case Unreached::TwoTargets:
+      return {"two places of this edit are one, and each has a target of its own", "Take one of them away."};
   }
   return {};
 }

@@ -18,6 +18,7 @@ enum class Unreached {
   TooClose,            ///< places ask for more than their common poles can do
   Pinned,              ///< the same, and pins hold some of these poles
   Symmetry,            ///< the same, and the places are copies of one
+  TwoTargets,          ///< two places of the edit are one, with a target each
 };
 
 struct Obstacle {

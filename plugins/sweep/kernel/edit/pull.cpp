@@ -58,6 +58,7 @@ class Pull {
       size_ = std::max({size_, centre.norm(), to_.back().norm(), x.norm()});
       reach_ = std::max({reach_, (to_.back() - centre).norm(), (x - centre).norm()});
     }
+    edit_.markContradictions([&](std::size_t i, std::size_t j) { return (to_[i] - to_[j]).norm() > allowed(); });
   }
 
   void translate(double share) {

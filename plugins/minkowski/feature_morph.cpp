@@ -115,6 +115,11 @@ std::size_t splineShapes(const std::vector<Region>& shapes) {
       std::count_if(shapes.begin(), shapes.end(), [](const Region& r) { return hasSplines(r); }));
 }
 
+void tellUnusedKeys(const MorphParameters& p, Evaluated& out) {
+  if (p.frames > 0 || p.keys.empty()) return;
+  out.warnings.push_back("The keys have no effect on the one shape at t: give a number of frames.");
+}
+
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = controlShapesOf(inputs);
@@ -125,9 +130,11 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   const std::vector<double> places = placesOf(p), times = timesOf(p, places);
   if (isPiecewise(p, shapes.size())) {
     refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate);
-    return morphedBySpline(
+    Evaluated out = morphedBySpline(
         shapes, knotsFor(shapes.size(), p.degree, p.knots), times, p.frames > 0 ? places : std::vector<double>(),
         {.areaPreserving = p.areaPreserving, .tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
+    tellUnusedKeys(p, out);
+    return out;
   }
   checkPath(p.path, shapes.size());
   const std::size_t degree = shapes.size() - 1;
@@ -152,6 +159,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
         "What faces the sector of a free-form shape is made of straight lines, within the tolerance; a smaller one makes "
         "them finer.");
   if (p.frames == 0) {
+    tellUnusedKeys(p, out);
     out.stats["influences"] = sharesOf(arguments.front());
     out.shape = shapeOfControl(std::move(result.regions.front()));
     return out;

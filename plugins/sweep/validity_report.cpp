@@ -91,9 +91,10 @@ void addCrossing(const Motion& motion, const Surface& surface, bool folds, Evalu
     return;
   }
   if (found.covered && !folds)
-    warnFirst(out, fmt::format("The surface lies on itself near {}: it passes there twice, and bounds no body. Move one of the "
-                               "parts, or end the motion before it comes round again.",
-                               placeText(*found.covered, found.size, 5)));
+    warnFirst(out,
+              fmt::format("The surface lies on itself near {}: it passes there twice, and bounds no body. Move one of the "
+                          "parts, or end the motion before it comes round again.",
+                          placeText(*found.covered, found.size, 5)));
   // Sheets that lie on each other are no crossing, and not sound either.
   if (found.deepest || !(folds || found.covered)) out.figures.push_back({"crosses_itself", found.deepest.has_value()});
   if (!found.deepest) return;

@@ -30,6 +30,7 @@ class SweepWindowTest : public SweepFixture {
   void thereAndBackChangesNothing();
   void escapeTakesBack();
   void nothingComesBetweenADrag();
+  void nothingComesBetweenAnOrbit();
   void aPinnedPlaceIsNotPulled();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
@@ -220,6 +221,22 @@ void SweepWindowTest::escapeTakesBack() {
   waitUntilComputed();
   QVERIFY(std::ranges::equal(document().features(), before.features()));
   QVERIFY(surfaceOf(sweep_) == swept);
+}
+
+/// Delete would take away what is looked at from all sides.
+void SweepWindowTest::nothingComesBetweenAnOrbit() {
+  openSample("cylinder.json");
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  const Document during = document();
+  ViewWidget& view = window_->view();
+  QTest::mousePress(&view, Qt::MiddleButton, {}, QPoint(40, 40));
+  QTest::mouseMove(&view, QPoint(80, 60));
+  QTest::keyClick(&view, Qt::Key_Delete);
+  QTest::mouseRelease(&view, Qt::MiddleButton, {}, QPoint(80, 60));
+  QVERIFY(std::ranges::equal(document().features(), during.features()));
+  QTest::keyClick(&view, Qt::Key_Delete);
+  QVERIFY(document().features().empty());
 }
 
 /// Neither commands by their keys nor the other button.

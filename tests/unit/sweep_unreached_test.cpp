@@ -48,12 +48,14 @@ class SweepUnreachedTest : public QObject {
 
   /// Whatever the shares could not do for one target alone, that there are two is the reason.
   void twoTargetsOfOnePlaceAreNamed() {
-    for (const PullWeights& weights : {PullWeights{1, 0, 0}, PullWeights{0, 1, 0}, PullWeights{0, 0, 1}, PullWeights{0, 1, 1}}) {
+    for (const PullWeights& weights :
+         {PullWeights{1, 0, 0}, PullWeights{0, 1, 0}, PullWeights{0, 0, 1}, PullWeights{0, 1, 1}}) {
       const EditResult result = pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {0, 15, 20}}, weights});
       QVERIFY(says(result, Unreached::TwoTargets));
       QVERIFY(result.obstacles.size() == 1);
     }
-    QVERIFY(pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {15, 0, 20}}, {0, 0, 1}}).obstacles.empty());
+    QVERIFY(
+        pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {15, 0, 20}}, {0, 0, 1}}).obstacles.empty());
   }
 
   void rotationKeepsTheRadius() {

@@ -177,9 +177,10 @@ bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_-
 
 /// While something coarser is shown, which may have fewer frames, the timeline stays where it is.
 void DocumentPage::refreshFrames() {
-  const int count = static_cast<int>(scene_.frames());
   if (!session_.coarse()) {
-    playback_.setPace(scene_.beginnings());
+    std::vector<double> beginnings = scene_.beginnings();
+    const int count = static_cast<int>(beginnings.size());
+    playback_.setPace(std::move(beginnings));
     playback_.setCount(count);
     playback_.setOffered(count < 2 && offeredSequence());
   }

@@ -120,12 +120,6 @@ std::vector<std::shared_ptr<const FeatureView>> PageScene::sequences() const {
   return found;
 }
 
-std::size_t PageScene::frames() const {
-  std::size_t count = 0;
-  for (const auto& view : sequences()) count = std::max(count, view->frames->size());
-  return count;
-}
-
 std::vector<double> PageScene::beginnings() const {
   const Sequence* longest = nullptr;
   for (const auto& view : sequences())

@@ -40,9 +40,7 @@ class PageScene {
   /// the result of another feature is left out, or steps back while that one is selected; when it is selected itself, its
   /// results step back.
   [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
-  /// Of the longest sequence that is shown; 0: there is none.
-  [[nodiscard]] std::size_t frames() const;
-  /// When each of its frames begins, as frameBeginnings() tells it; empty: there is none.
+  /// When each frame of the longest sequence that is shown begins, as frameBeginnings() tells it; empty: there is none.
   [[nodiscard]] std::vector<double> beginnings() const;
   /// Corners of the boxes around frames of the sequences that are shown, so that they stay in sight when they are played.
   [[nodiscard]] std::vector<Vec3> reach() const;

@@ -126,8 +126,9 @@ bool ViewWidget::event(QEvent* event) {
     event->accept();
     return true;
   }
-  // Nor do commands come between: Delete would take away what the tool is dragging.
-  if (event->type() == QEvent::ShortcutOverride && (offerKey(static_cast<const QKeyEvent&>(*event)) || toolHasMouse_)) {
+  // Nor do commands come between while the mouse is held: Delete would take away what the tool drags or an orbit looks at.
+  if (event->type() == QEvent::ShortcutOverride &&
+      (offerKey(static_cast<const QKeyEvent&>(*event)) || toolHasMouse_ || navigation_->pressed())) {
     event->accept();
     return true;
   }

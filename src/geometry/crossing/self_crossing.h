@@ -12,8 +12,8 @@ namespace blossom {
 /// for sheets that hang together where they cross: where triangles meet that do not on the smooth surface, a point beside
 /// them counts whose winding number is neither 0 nor 1 and that is farther from the surface than the error of the triangles
 /// explains. So the tips of a spindle torus are found, as its lemon is enclosed twice; a lemon alone, which only touches
-/// itself in its tips, is not, and encloses nothing wrongly. Walls that lie on one another with nothing between them count, too; the
-/// ends of a body that touch with nothing but a slit between them do not. O(n log n) in the triangles.
+/// itself in its tips, is not, and encloses nothing wrongly. Walls that lie on one another with nothing between them count,
+/// too; the ends of a body that touch with nothing but a slit between them do not. O(n log n) in the triangles.
 /// @throws Error Cancelled, Degenerate when the solid has no triangles.
 std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress&);
 

@@ -22,7 +22,7 @@ struct SurfaceCrossing {
 };
 
 struct CrossingResult {
-  std::optional<SurfaceCrossing> deepest;              ///< of the places that were examined; nothing when there is none
+  std::optional<SurfaceCrossing> deepest;  ///< of the places that were examined; nothing when there is none
   /// Of a single surface: a place around which sheets of it cover one another, which is no crossing but no sound surface.
   std::optional<Vec3> covered;
   double size = 0;                                     ///< mm, diagonal of the box around the shape

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "geometry/planar/angles.h"
+
 namespace blossom::planar {
 namespace {
-
-constexpr double fullTurn = 2 * std::numbers::pi;
 
 struct PlacedArc {
   std::size_t loop = 0, segment = 0;
@@ -30,10 +29,7 @@ std::optional<Vec2> touchFromWithin(const Arc2& a, const Arc2& b) {
 /// The share of the sweep at which an arc passes a point of its circle, if not at an end.
 std::optional<double> insideAt(const Arc2& arc, const Vec2& p) {
   constexpr double end = 1e-9;
-  const double angle = std::atan2(p.y() - arc.center.y(), p.x() - arc.center.x());
-  double turn = std::fmod((angle - arc.start) * (arc.sweep < 0 ? -1 : 1), fullTurn);
-  if (turn < 0) turn += fullTurn;
-  const double share = turn / std::abs(arc.sweep);
+  const double share = turnAlong(arc, p) / std::abs(arc.sweep);
   return share > end && share < 1 - end ? std::optional(share) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "document/file_access.h"
@@ -46,6 +47,21 @@ std::string withoutNumber(const std::string& text, char before) {
   const std::size_t cut = text.find_last_not_of("0123456789");
   const bool numbered = cut != std::string::npos && cut + 1 < text.size() && cut > 0 && text[cut] == before;
   return numbered ? text.substr(0, cut) : text;
+}
+
+/// Whether a type makes a shape of this kind of one of the same kind.
+bool edits(const FeatureType& type, ShapeKind kind) {
+  const auto holds = [kind](const std::vector<ShapeKind>& kinds) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  return !type.inputs.empty() && holds(type.inputs.front().kinds) && holds(type.produces);
+}
+
+bool editOneKind(const Registry& registry, const Feature& first, const Feature& second) {
+  const auto a = registry.find(first.type), b = registry.find(second.type);
+  return a && b && std::any_of(a->produces.begin(), a->produces.end(), [&](ShapeKind kind) {
+           return edits(*a, kind) && edits(*b, kind);
+         });
 }
 
 bool isSame(const Document& into, const Feature& feature) {
@@ -154,6 +170,23 @@ std::optional<Document> withStepped(const Document& document, const std::vector<
     first = std::min(first, placeOf(document, id)), last = std::max(last, placeOf(document, id));
   if (by < 0) return first == 0 ? std::nullopt : std::optional(withMoved(document, ids, first - 1));
   return last + 1 >= document.features().size() ? std::nullopt : std::optional(withMoved(document, ids, last + 2));
+}
+
+std::optional<Document> withEditsExchanged(const Registry& registry, const Document& document, const FeatureId& id, int by) {
+  const std::vector<FeatureId> beside = by < 0 ? document.at(id).inputs : document.usersOf(id);
+  if (beside.size() != 1) return std::nullopt;
+  Feature first = document.at(by < 0 ? beside.front() : id), second = document.at(by < 0 ? id : beside.front());
+  if (first.inputs.size() != 1 || second.inputs.size() != 1 || document.usersOf(first.id).size() != 1 ||
+      placeOf(document, second.id) != placeOf(document, first.id) + 1 || !editOneKind(registry, first, second))
+    return std::nullopt;
+  Document result = document;
+  second.inputs = std::exchange(first.inputs, {second.id});
+  for (const FeatureId& of : document.usersOf(second.id)) {
+    Feature user = document.at(of);
+    std::replace(user.inputs.begin(), user.inputs.end(), second.id, first.id);
+    result = result.with(std::move(user));
+  }
+  return result.with(second).moved(second.id, placeOf(document, first.id)).with(first);
 }
 
 std::string freeName(const Document& document, const std::string& name) {

@@ -49,6 +49,30 @@ Registry readers() {
   return registry;
 }
 
+/// Types that make a region of a region, or a mesh of one.
+Registry editors() {
+  Registry registry;
+  for (const char* name : {"rounded", "grown", "meshed"}) {
+    FeatureType type;
+    type.id = std::string("test.") + name;
+    type.command = type.title = type.summary = name;
+    InputSpec shape;
+    shape.name = shape.help = "shape";
+    shape.kinds = {ShapeKind::Region};
+    type.inputs = {shape};
+    type.produces = {type.command == "meshed" ? ShapeKind::Mesh : ShapeKind::Region};
+    type.evaluate = [](const Value&, const Inputs&, const Progress&) { return Evaluated(); };
+    registry.add(type);
+  }
+  return registry;
+}
+
+Feature editing(const char* type, const FeatureId& id, const FeatureId& of) {
+  Feature feature = made(id, {of});
+  feature.type = std::string("test.") + type;
+  return feature;
+}
+
 }  // namespace
 
 class DocumentEditsTest : public QObject {
@@ -97,6 +121,33 @@ class DocumentEditsTest : public QObject {
     QVERIFY(!withStepped(sample(), {"a"}, -1));
     QVERIFY(!withStepped(sample(), {"e"}, 1));
     QVERIFY(!withStepped(sample(), {}, 1));
+  }
+
+  /// a -> r -> g -> m, and another user of g.
+  void editsOfAChainChangePlaces() {
+    const Registry registry = editors();
+    const Document chain = Document()
+                               .with(made("a"))
+                               .with(editing("rounded", "r", "a"))
+                               .with(editing("grown", "g", "r"))
+                               .with(editing("meshed", "m", "g"))
+                               .with(editing("grown", "h", "g"));
+    const auto up = withEditsExchanged(registry, chain, "g", -1), down = withEditsExchanged(registry, chain, "r", 1);
+    QVERIFY(up && down);
+    for (const Document& result : {*up, *down}) {
+      QCOMPARE(order(result), (Ids{"a", "g", "r", "m", "h"}));
+      QCOMPARE(result.at("g").inputs, Ids{"a"});
+      QCOMPARE(result.at("r").inputs, Ids{"g"});
+      QCOMPARE(result.at("m").inputs, Ids{"r"});
+      QCOMPARE(result.at("h").inputs, Ids{"r"});
+    }
+    const auto back = withEditsExchanged(registry, *up, "r", -1);
+    QVERIFY(back &&
+            std::ranges::equal(back->features(), chain.features(), [](const auto& x, const auto& y) { return *x == *y; }));
+    QVERIFY(!withEditsExchanged(registry, chain, "m", -1));  // a mesh cannot be grown
+    QVERIFY(!withEditsExchanged(registry, chain, "g", 1));   // two are made of it
+    QVERIFY(!withEditsExchanged(registry, chain, "h", -1));  // nor is it the only one
+    QVERIFY(!withEditsExchanged(registry, chain, "r", -1));  // of no known type
   }
 
   void namesAreCountedOn() {

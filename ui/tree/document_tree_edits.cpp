@@ -135,8 +135,13 @@ void DocumentTree::refuseRemoval(const std::vector<FeatureId>& ids, const std::v
 void DocumentTree::stepSelected(int by) {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
-  attempt(titled(ids, tr("Move %1"), tr("Move %1 features")),
-          [&] { return withStepped(session_.document(), withSteps(ids), by).value_or(session_.document()); });
+  const QString title = titled(ids, tr("Move %1"), tr("Move %1 features"));
+  if (ids.size() == 1)
+    if (auto exchanged = withEditsExchanged(*session_.app().registry, session_.document(), ids.front(), by)) {
+      attempt(title, [&] { return *std::move(exchanged); });
+      return;
+    }
+  attempt(title, [&] { return withStepped(session_.document(), withSteps(ids), by).value_or(session_.document()); });
 }
 
 void DocumentTree::moveSelectedBefore(std::size_t row) {

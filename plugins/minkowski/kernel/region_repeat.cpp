@@ -33,7 +33,7 @@ std::size_t segmentsOf(const SoundRegion& shape) {
 
 /// Each copy adds about as many corners as the second one did.
 void refuseEndlessCopies(const SoundRegion& shape, const SoundRegion& two, std::size_t count) {
-  constexpr double largest = 200'000;
+  constexpr double largest = 200'000, quick = 20'000;  // corners: the second takes some ten seconds
   const auto first = static_cast<double>(segmentsOf(shape));
   const double growth = static_cast<double>(segmentsOf(two)) - first;
   if (!(growth > 0) || first + growth * static_cast<double>(count - 1) <= largest) return;
@@ -41,8 +41,9 @@ void refuseEndlessCopies(const SoundRegion& shape, const SoundRegion& two, std::
       ErrorCode::LimitExceeded,
       fmt::format("{} copies of shape 1 would have about {:.1g} corners.", count,
                   first + growth * static_cast<double>(count - 1)),
-      fmt::format("Give at most {} copies or a larger tolerance. Normalised, the hull stands for copies without end.",
-                  static_cast<std::size_t>((largest - first) / growth) + 1));
+      fmt::format("Give about {} copies, as the time grows with their square, or a larger tolerance. Normalised, the hull "
+                  "stands for copies without end.",
+                  static_cast<std::size_t>((quick - first) / growth) + 1));
 }
 
 RegionRepeatResult hullInstead(const SoundRegion& hull, RegionRepeatResult result, const RegionRepeatOptions& options,

@@ -1047,6 +1047,10 @@
         <translation>Eine Stelle der Fläche ziehen, um sie zu verformen</translation>
     </message>
     <message>
+        <source>Drag a place on the surface to twist it</source>
+        <translation>Eine Stelle der Fläche ziehen, um sie zu verdrehen</translation>
+    </message>
+    <message>
         <source>Nothing will be changed here: %1</source>
         <translation>Hier wird nichts geändert: %1</translation>
     </message>

@@ -1047,6 +1047,10 @@
         <translation>곡면의 한 곳을 끌어서 당기기</translation>
     </message>
     <message>
+        <source>Drag a place on the surface to twist it</source>
+        <translation>곡면의 한 곳을 끌어서 비틀기</translation>
+    </message>
+    <message>
         <source>Nothing will be changed here: %1</source>
         <translation>여기서는 아무것도 바뀌지 않음: %1</translation>
     </message>

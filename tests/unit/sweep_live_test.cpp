@@ -5,6 +5,7 @@
 #include "sweep/kernel/grid/iso_curves.h"
 #include "sweep/kernel/grid/live_grid.h"
 #include "sweep/kernel/grid/motion_point.h"
+#include "sweep/kernel/grid/shown_normals.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -225,6 +226,33 @@ class SweepLiveTest : public QObject {
     QVERIFY(parts.size() == 1 && parts[0].rows.size() == 20 && parts[0].columns.size() == 30);
     const double u = live.us()[7], v = live.vs()[11];
     QVERIFY((live.grid().pointAt(7, 11) - evaluate(motion, u, v).point).norm() < 1e-11);
+  }
+
+  /// Columns without normals borrow those beside them, and are shaded anew with these.
+  void borrowedNormalsFollow() {
+    auto random = seededRandom();
+    for (int round = 0; round < 300; ++round) {
+      MotionGrid before;
+      before.countU = static_cast<std::size_t>(uniformInt(random, 1, 4)), before.countV = 12;
+      const auto fill = [&](MotionGrid& grid, const GridRectangle& part) {
+        for (std::size_t k = part.rows.begin; k < part.rows.end; ++k)
+          for (std::size_t l = part.columns.begin; l < part.columns.end; ++l) {
+            const bool none = uniformInt(random, 0, 2) > 0;
+            for (auto& each : grid.normal) each[k * grid.countV + l] = none ? 0 : uniform(random, 0.1, 1);
+          }
+      };
+      for (auto& each : before.normal) each.resize(before.countU * before.countV);
+      fill(before, {{0, before.countU}, {0, before.countV}});
+      MotionGrid after = before;
+      const auto begin = static_cast<std::size_t>(uniformInt(random, 0, 11));
+      const GridRectangle part{{0, before.countU},
+                               {begin, static_cast<std::size_t>(uniformInt(random, static_cast<int>(begin) + 1, 12))}};
+      fill(after, part);
+      const Marks shaded = marked(std::vector{withBorrowers(after, part)}, after);
+      for (std::size_t k = 0; k < after.countU; ++k)
+        for (std::size_t l = 0; l < after.countV; ++l)
+          QVERIFY(shaded[k * after.countV + l] || shownNormal(before, k, l) == shownNormal(after, k, l));
+    }
   }
 
   void parametersMustAscend() {

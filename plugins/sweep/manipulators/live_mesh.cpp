@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/grid/shown_normals.h"
+
 namespace blossom::sweep {
 
 namespace {
@@ -41,16 +43,6 @@ void tellModified(vtkPolyData& data) {
   data.GetPoints()->GetData()->Modified();
   data.GetPoints()->Modified();
   data.Modified();
-}
-
-/// Where the surface runs into a point it has no normal; it is shaded as beside it.
-Vec3 shownNormal(const MotionGrid& grid, std::size_t k, std::size_t l) {
-  Vec3 normal = grid.normalAt(k, l);
-  for (std::size_t step = 1; normal.isZero(0) && step < grid.countV; ++step) {
-    if (l + step < grid.countV) normal = grid.normalAt(k, l + step);
-    if (normal.isZero(0) && l >= step) normal = grid.normalAt(k, l - step);
-  }
-  return normal;
 }
 
 /// The first and the last section are the same curve: there is nothing to close.
@@ -126,7 +118,7 @@ ui::StandIn LiveMesh::standIn(std::vector<FeatureId> insteadOf) const {
 
 void LiveMesh::update(const MotionGrid& grid, std::span<const GridRectangle> changed) {
   if (changed.empty()) return;
-  for (const GridRectangle& part : changed) write(grid, part);
+  for (const GridRectangle& part : changed) write(grid, withBorrowers(grid, part));
   if (form_.capped) {
     writeCap(grid, 0, countU_ * countV_);
     writeCap(grid, countV_ - 1, countU_ * countV_ + countU_ + 1);

@@ -20,6 +20,8 @@ class PullMode {
   /// How wide a part the drag changes, as in MotionPull.
   [[nodiscard]] int level() const { return level_; }
   [[nodiscard]] bool twists() const { return twists_; }
+  /// Whether it pulls by turning and scaling, as it does before any key.
+  [[nodiscard]] bool isPlain() const { return !twists_ && shares_ == turnAndScale; }
   /// The shares of a pull, the last one above 0 being 1; all 0 for a twist.
   [[nodiscard]] PullWeights weights() const;
 

@@ -45,7 +45,11 @@ QString SurfacePullTool::hint() const {
   if (entry_) return typingHint();
   if (held() && edit_) return heldHint();
   if (hovered() && under_) return hoverHint();
-  return joined({tr("Drag a place on the surface to pull it"), chosenHint()});
+  // What is in force, before the mouse is where it counts.
+  return joined(
+      {mode_.twists() ? tr("Drag a place on the surface to twist it") : tr("Drag a place on the surface to pull it"),
+       mode_.twists() || mode_.isPlain() ? QString() : mode_.wayText(), mode_.symmetryText(), mode_.levelText(),
+       chosenHint()});
 }
 
 /// What is wrong with the goal that is typed.

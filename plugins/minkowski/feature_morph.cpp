@@ -117,7 +117,8 @@ std::size_t splineShapes(const std::vector<Region>& shapes) {
 
 void tellUnusedKeys(const MorphParameters& p, Evaluated& out) {
   if (p.frames > 0 || p.keys.empty()) return;
-  out.warnings.push_back("The keys have no effect on the one shape at t: give a number of frames.");
+  out.warnings.push_back(p.blossom.empty() ? "The keys have no effect on the one shape at t: give a number of frames."
+                                           : "The keys have no effect beside blossom parameters, which give one shape.");
 }
 
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {

@@ -1564,8 +1564,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Nach &amp;oben</translation>
     </message>
     <message>
-        <source>Put the selected features one place further up in the document.</source>
-        <translation>Die gewählten Elemente im Dokument einen Platz nach oben rücken.</translation>
+        <source>Put the selected features one place further up; edits that follow one another change places.</source>
+        <translation>Die gewählten Elemente einen Platz nach oben rücken; Änderungen, die aufeinander folgen, tauschen die Plätze.</translation>
     </message>
     <message>
         <source>Alt+Up</source>
@@ -1576,8 +1576,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Nach u&amp;nten</translation>
     </message>
     <message>
-        <source>Put the selected features one place further down in the document.</source>
-        <translation>Die gewählten Elemente im Dokument einen Platz nach unten rücken.</translation>
+        <source>Put the selected features one place further down; edits that follow one another change places.</source>
+        <translation>Die gewählten Elemente einen Platz nach unten rücken; Änderungen, die aufeinander folgen, tauschen die Plätze.</translation>
     </message>
     <message>
         <source>Alt+Down</source>

@@ -1564,8 +1564,8 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>위로(&amp;U)</translation>
     </message>
     <message>
-        <source>Put the selected features one place further up in the document.</source>
-        <translation>고른 피처를 문서에서 한 칸 위로 옮깁니다.</translation>
+        <source>Put the selected features one place further up; edits that follow one another change places.</source>
+        <translation>고른 피처를 한 칸 위로 옮깁니다. 잇따르는 편집은 자리를 바꿉니다.</translation>
     </message>
     <message>
         <source>Alt+Up</source>
@@ -1576,8 +1576,8 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>아래로(&amp;W)</translation>
     </message>
     <message>
-        <source>Put the selected features one place further down in the document.</source>
-        <translation>고른 피처를 문서에서 한 칸 아래로 옮깁니다.</translation>
+        <source>Put the selected features one place further down; edits that follow one another change places.</source>
+        <translation>고른 피처를 한 칸 아래로 옮깁니다. 잇따르는 편집은 자리를 바꿉니다.</translation>
     </message>
     <message>
         <source>Alt+Down</source>

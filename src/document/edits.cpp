@@ -49,19 +49,14 @@ std::string withoutNumber(const std::string& text, char before) {
   return numbered ? text.substr(0, cut) : text;
 }
 
-/// Whether a type makes a shape of this kind of one of the same kind.
-bool edits(const FeatureType& type, ShapeKind kind) {
-  const auto holds = [kind](const std::vector<ShapeKind>& kinds) {
-    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-  };
-  return !type.inputs.empty() && holds(type.inputs.front().kinds) && holds(type.produces);
-}
-
+/// Whether both change a shape of one kind, as edits do.
 bool editOneKind(const Registry& registry, const Feature& first, const Feature& second) {
   const auto a = registry.find(first.type), b = registry.find(second.type);
-  return a && b && std::any_of(a->produces.begin(), a->produces.end(), [&](ShapeKind kind) {
-           return edits(*a, kind) && edits(*b, kind);
-         });
+  const auto isEdit = [](const FeatureType& type) {
+    return type.inputs.size() == 1 && type.inputs.front().use == InputUse::Edited &&
+           type.inputs.front().kinds == type.produces;
+  };
+  return a && b && isEdit(*a) && isEdit(*b) && a->produces == b->produces;
 }
 
 bool isSame(const Document& into, const Feature& feature) {

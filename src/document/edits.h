@@ -34,9 +34,9 @@ Document withMoved(const Document&, const std::vector<FeatureId>& ids, std::size
 /// `ids` one place up (-1) or down (+1). @throws as withMoved; nullopt when they stand at that end already.
 std::optional<Document> withStepped(const Document&, const std::vector<FeatureId>& ids, int by);
 
-/// A feature and the one it is made from (-1), or the one made from it (+1), the other way round, where they stand one after
-/// the other, the second is all that is made from the first, and each makes of a shape another of its kind: edits of a
-/// motion, say. Who uses the second goes on from what is the second then. Nothing where that is not so.
+/// An edit and the one before it (-1) or after it (+1) the other way round, where one follows the other, nothing else is
+/// made from the first, and both are edits of one kind of shape (InputUse::Edited), such as pulls of a motion. Who uses the
+/// second goes on from what is the second then. Nothing where that is not so.
 std::optional<Document> withEditsExchanged(const Registry&, const Document&, const FeatureId&, int by);
 
 /// "Box", or "Box 2" when there is one; a number that `name` ends in is counted on. O(n log n) in the features.

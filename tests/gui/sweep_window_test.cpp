@@ -8,6 +8,7 @@
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
 #include "ui/tools/view_props.h"
+#include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
 
 using namespace blossom;
@@ -31,6 +32,7 @@ class SweepWindowTest : public SweepFixture {
   void escapeTakesBack();
   void nothingComesBetweenADrag();
   void nothingComesBetweenAnOrbit();
+  void pullsChangePlacesInTheTree();
   void aPinnedPlaceIsNotPulled();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
@@ -223,6 +225,38 @@ void SweepWindowTest::escapeTakesBack() {
   QVERIFY(surfaceOf(sweep_) == swept);
 }
 
+/// The later one stands above: up in the tree is on in the document, and what is seen moves as the key says.
+void SweepWindowTest::pullsChangePlacesInTheTree() {
+  openSample("cylinder.json");
+  for (const int by : {-60, 60}) {
+    const QPoint from = onTheSide() + QPoint(0, by / 3);
+    drag(from, from + QPoint(45, by));
+    waitUntilComputed();
+  }
+  const std::vector<FeatureId> pulls = all("sweep.pull");
+  QCOMPARE(pulls.size(), std::size_t(2));
+  const FeatureId &first = pulls[0], &second = pulls[1];
+  QCOMPARE(document().at(second).inputs, std::vector<FeatureId>{first});
+  DocumentTree& tree = window_->tree();
+  const auto rowOf = [&](const FeatureId& id) {
+    for (int row = 0; row < tree.model()->rowCount(); ++row)
+      if (tree.model()->index(row, 0).data(DocumentModel::IdRole).toString().toStdString() == id) return row;
+    return -1;
+  };
+  tree.select(first);
+  QVERIFY(rowOf(second) < rowOf(first));
+  tree.stepSelected(-1);
+  waitUntilComputed();
+  QCOMPARE(document().at(first).inputs, std::vector<FeatureId>{second});
+  QCOMPARE(document().at(sweep_).inputs.front(), first);
+  QVERIFY(rowOf(first) < rowOf(second));
+  QCOMPARE(tree.selected(), std::vector<FeatureId>{first});
+  tree.stepSelected(1);
+  waitUntilComputed();
+  QCOMPARE(document().at(second).inputs, std::vector<FeatureId>{first});
+  QVERIFY(rowOf(second) < rowOf(first));
+}
+
 /// Delete would take away what is looked at from all sides.
 void SweepWindowTest::nothingComesBetweenAnOrbit() {
   openSample("cylinder.json");
@@ -230,10 +264,10 @@ void SweepWindowTest::nothingComesBetweenAnOrbit() {
   QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   const Document during = document();
   ViewWidget& view = window_->view();
-  QTest::mousePress(&view, Qt::MiddleButton, {}, QPoint(40, 40));
+  QTest::mousePress(&view, Qt::MiddleButton, Qt::ShiftModifier, QPoint(40, 40));
   QTest::mouseMove(&view, QPoint(80, 60));
   QTest::keyClick(&view, Qt::Key_Delete);
-  QTest::mouseRelease(&view, Qt::MiddleButton, {}, QPoint(80, 60));
+  QTest::mouseRelease(&view, Qt::MiddleButton, Qt::ShiftModifier, QPoint(80, 60));
   QVERIFY(std::ranges::equal(document().features(), during.features()));
   QTest::keyClick(&view, Qt::Key_Delete);
   QVERIFY(document().features().size() < during.features().size());

@@ -49,16 +49,17 @@ Registry readers() {
   return registry;
 }
 
-/// Types that make a region of a region, or a mesh of one.
+/// Types that change a region, one that makes a mesh of it, and one that makes another region of it.
 Registry editors() {
   Registry registry;
-  for (const char* name : {"rounded", "grown", "meshed"}) {
+  for (const char* name : {"rounded", "grown", "meshed", "taken"}) {
     FeatureType type;
     type.id = std::string("test.") + name;
     type.command = type.title = type.summary = name;
     InputSpec shape;
     shape.name = shape.help = "shape";
     shape.kinds = {ShapeKind::Region};
+    shape.use = type.command == "taken" ? InputUse::Consumed : InputUse::Edited;
     type.inputs = {shape};
     type.produces = {type.command == "meshed" ? ShapeKind::Mesh : ShapeKind::Region};
     type.evaluate = [](const Value&, const Inputs&, const Progress&) { return Evaluated(); };
@@ -148,6 +149,8 @@ class DocumentEditsTest : public QObject {
     QVERIFY(!withEditsExchanged(registry, chain, "g", 1));   // two are made of it
     QVERIFY(!withEditsExchanged(registry, chain, "h", -1));  // nor is it the only one
     QVERIFY(!withEditsExchanged(registry, chain, "r", -1));  // of no known type
+    const Document taken = Document().with(made("a")).with(editing("taken", "t", "a")).with(editing("rounded", "r", "t"));
+    QVERIFY(!withEditsExchanged(registry, taken, "r", -1));  // what it is taken from need not be what can be rounded
   }
 
   void namesAreCountedOn() {

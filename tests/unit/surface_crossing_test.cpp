@@ -172,6 +172,7 @@ class SurfaceCrossingTest : public QObject {
     QVERIFY(!findCrossing(cylinderOfArcs({third, third, 0.9 * third})).covered);
     for (const double a : {0.05, 0.5, 2.0})
       for (const double inner : {1.0, -1.0 / 3}) QVERIFY(!findCrossing(coilWithGap({a, -inner * a, -inner * a, a})).covered);
+    for (const double a : {0.05, 0.5, 2.0}) QVERIFY(!findCrossing(coilWithGap({-a, a, -a, a})).covered);  // a (2 t - 1)^3
   }
 
   void sheetsThatTouchAlongALineDoNotCross() {

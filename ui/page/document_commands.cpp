@@ -120,14 +120,14 @@ void DocumentCommands::declareFeatureEdits() {
                  group,
                  "move-up",
                  tr("Move &up"),
-                 tr("Put the selected features one place further up in the document."),
+                 tr("Put the selected features one place further up; edits that follow one another change places."),
                  {tr("Alt+Up")}},
                 [this] { page_->tree().stepSelected(-1); });
   commands_.add({"edit.move-down",
                  group,
                  "move-down",
                  tr("Move do&wn"),
-                 tr("Put the selected features one place further down in the document."),
+                 tr("Put the selected features one place further down; edits that follow one another change places."),
                  {tr("Alt+Down")}},
                 [this] { page_->tree().stepSelected(1); });
   commands_.add({"edit.delete", group, "delete", tr("De&lete"), tr("Delete the selected features."), {QKeySequence::Delete}},

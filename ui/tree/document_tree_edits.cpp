@@ -132,16 +132,20 @@ void DocumentTree::refuseRemoval(const std::vector<FeatureId>& ids, const std::v
                offers);
 }
 
+/// Steps stand beneath their result, the last one first: up there is on in the document.
 void DocumentTree::stepSelected(int by) {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
-  const QString title = titled(ids, tr("Move %1"), tr("Move %1 features"));
-  if (ids.size() == 1)
-    if (auto exchanged = withEditsExchanged(*session_.app().registry, session_.document(), ids.front(), by)) {
-      attempt(title, [&] { return *std::move(exchanged); });
-      return;
-    }
-  attempt(title, [&] { return withStepped(session_.document(), withSteps(ids), by).value_or(session_.document()); });
+  const auto isStep = [this](const FeatureId& id) { return !model_->parentOf(id).empty(); };
+  std::optional<Document> exchanged;
+  if (ids.size() == 1 && isStep(ids.front()))
+    exchanged = withEditsExchanged(*session_.app().registry, session_.document(), ids.front(), -by);
+  const std::vector<FeatureId> users = exchanged ? exchanged->usersOf(ids.front()) : std::vector<FeatureId>();
+  if (exchanged && users.empty()) exchanged.reset();  // it would be the result
+  attempt(titled(ids, tr("Move %1"), tr("Move %1 features")), [&] {
+    return exchanged ? *std::move(exchanged)
+                     : withStepped(session_.document(), withSteps(ids), by).value_or(session_.document());
+  });
 }
 
 void DocumentTree::moveSelectedBefore(std::size_t row) {

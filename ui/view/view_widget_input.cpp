@@ -70,6 +70,8 @@ void ViewWidget::startDrag(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardMod
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
+  // The release may have gone elsewhere: to a dialog that opened meanwhile.
+  if (navigation_->pressed() && event->buttons() == Qt::NoButton) navigation_->release();
   if (toolHasMouse_) {
     if (tool_) tool_->move(toolEvent(at, Qt::NoButton, event->modifiers()));
   } else if (navigation_->pressed()) {

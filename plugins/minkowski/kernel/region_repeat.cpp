@@ -43,7 +43,7 @@ void refuseEndlessCopies(const SoundRegion& shape, const SoundRegion& two, std::
                   first + growth * static_cast<double>(count - 1)),
       fmt::format("Give about {} copies, as the time grows with their square, or a larger tolerance. Normalised, the hull "
                   "stands for copies without end.",
-                  static_cast<std::size_t>((quick - first) / growth) + 1));
+                  static_cast<std::size_t>(std::max(0.0, quick - first) / growth) + 2));
 }
 
 RegionRepeatResult hullInstead(const SoundRegion& hull, RegionRepeatResult result, const RegionRepeatOptions& options,

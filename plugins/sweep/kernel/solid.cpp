@@ -249,8 +249,8 @@ TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
   return solid;
 }
 
-/// OCCT takes parameters within 1e-9 for the same, and finer ones of long domains for different. A domain that begins at 0
-/// and is lengthened by a power of two has the same points.
+/// OCCT takes parameters within 1e-9 for the same: a short domain is moved to 0 and lengthened. Points stay what they are,
+/// but for the rounding of knots where the domain held 0 inside.
 void lengthenIfShort(std::vector<double>& knots) {
   constexpr double shortest = 1e-4;
   const double first = knots.front(), length = knots.back() - first;

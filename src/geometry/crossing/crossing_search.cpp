@@ -108,8 +108,8 @@ class Examiner {
       const auto meeting = meetingOf(pair);
       if (!meeting || isOnePlace(*meeting)) continue;
       const bool tangent = meeting->sine < leastSine;
-      if (tangent && (tangentLeft == 0 || tangentTries == 0 || isNear(tangent_, meeting->point, tangentApart))) continue;
       if (tangent) tellIfCovered(*meeting, result);
+      if (tangent && (tangentLeft == 0 || tangentTries == 0 || isNear(tangent_, meeting->point, tangentApart))) continue;
       if (isNear(examined_, meeting->point, result.deepest ? 10 : firstRadius)) continue;
       if (!tangent) ++result.meetings, examined_.push_back(meeting->point);
       const std::optional<double> depth = tangent ? depthOfTangent(*meeting) : depthAt(*meeting);

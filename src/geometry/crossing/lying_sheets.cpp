@@ -8,6 +8,7 @@ namespace blossom {
 namespace {
 
 constexpr double onSheet = 1e-8;  // of the size
+constexpr double widerBy = 20;    // sheets that touch to a high order leave one another only farther away
 
 double parameterStep(double radius, const Vec3& derivative) {
   const double speed = derivative.norm();
@@ -26,27 +27,31 @@ bool liesOn(const SmoothSheets& sheets, SheetPlace place, const Vec3& p, double 
     jacobian << f.du, f.dv;
     const Vec2 move = jacobian.colPivHouseholderQr().solve(gap);
     if (!move.allFinite()) return false;
-    place.at += move;
+    place.at = sheets.withinDomain(place.face, place.at + move);
   }
+  return false;
+}
+
+/// At that distance from the meeting.
+bool coverAt(const SmoothSheets& sheets, const SheetMeeting& meeting, double radius, double near) {
+  const SheetPlace& from = meeting.first;
+  const SurfaceFrame frame = sheets.frame(from.face, from.at);
+  const double u = parameterStep(radius, frame.du), v = parameterStep(radius, frame.dv);
+  if (u == 0 || v == 0) return false;
+  const auto isCovered = [&](double du, double dv) {
+    const Vec2 at = sheets.withinDomain(from.face, from.at + Vec2(du, dv));
+    return sheets.isInDomain(from.face, at) && liesOn(sheets, meeting.second, sheets.frame(from.face, at).point, near);
+  };
+  constexpr std::array<std::array<double, 2>, 4> quarters{{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+  for (const auto& [signU, signV] : quarters)
+    if (isCovered(signU * u, 0) && isCovered(0, signV * v) && isCovered(signU * u, signV * v)) return true;
   return false;
 }
 
 }  // namespace
 
 bool lieOnEachOther(const SmoothSheets& sheets, const SheetMeeting& meeting, double radius, double size) {
-  const SheetPlace& from = meeting.first;
-  const SurfaceFrame frame = sheets.frame(from.face, from.at);
-  const double u = parameterStep(radius, frame.du), v = parameterStep(radius, frame.dv);
-  if (u == 0 || v == 0) return false;
-  const auto isCovered = [&](double du, double dv) {
-    const Vec2 at = from.at + Vec2(du, dv);
-    return sheets.isInDomain(from.face, at) &&
-           liesOn(sheets, meeting.second, sheets.frame(from.face, at).point, onSheet * size);
-  };
-  constexpr std::array<std::array<double, 2>, 4> quarters{{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-  for (const auto& [signU, signV] : quarters)
-    if (isCovered(signU * u, 0) && isCovered(0, signV * v) && isCovered(signU * u, signV * v)) return true;
-  return false;
+  return coverAt(sheets, meeting, radius, onSheet * size) && coverAt(sheets, meeting, widerBy * radius, onSheet * size);
 }
 
 }  // namespace blossom

@@ -152,12 +152,20 @@ void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
 
 void EditPlaces::markContradictions(const std::function<bool(std::size_t, std::size_t)>& differ) {
   constexpr double same = 1e-12;  // of the domain
-  const auto length = [](std::pair<double, double> domain) { return domain.second - domain.first; };
-  const double nearU = same * length(result_.motion.domainU()), nearV = same * length(result_.motion.domainV());
+  const Motion& motion = result_.motion;
+  const auto apart = [](double a, double b, std::pair<double, double> domain, bool closed) {
+    const double length = domain.second - domain.first;
+    return std::abs(closed ? std::remainder(b - a, length) : b - a) / length;
+  };
+  const bool ring = joinedInV(motion).has_value();
+  const auto atOneSpot = [&](const MotionPlace& a, const MotionPlace& b) {
+    return apart(a.u, b.u, motion.domainU(), motion.closedU != ClosedU::No) <= same &&
+           apart(a.v, b.v, motion.domainV(), ring) <= same;
+  };
   for (std::size_t i = 0; i < places_.size(); ++i)
     for (std::size_t j = i + 1; j < places_.size(); ++j) {
       EditPlace &a = places_[i], &b = places_[j];
-      if (a.of == b.of || std::abs(a.at.u - b.at.u) > nearU || std::abs(a.at.v - b.at.v) > nearV || !differ(i, j)) continue;
+      if (a.of == b.of || !atOneSpot(a.at, b.at) || !differ(i, j)) continue;
       a.contradicted = b.contradicted = true;
     }
 }
@@ -169,8 +177,8 @@ EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& l
     const double remainder = left(place);
     if (!std::isfinite(remainder))
       throw Error(ErrorCode::Degenerate,
-                  fmt::format("At u = {:.4g}, v = {:.4g}, the edited motion has no finite point.", place.at.u, place.at.v),
-                  "Choose a nearer target.");
+                  fmt::format("At u = {:.4g}, v = {:.4g}, this edit leads beyond all numbers.", place.at.u, place.at.v),
+                  "Choose a nearer target, or a smaller angle.");
     double& largest = result_.remainders[place.of];
     largest = std::max(largest, remainder);
     result_.remainder = std::max(result_.remainder, remainder);

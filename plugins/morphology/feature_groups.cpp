@@ -6,12 +6,17 @@ namespace blossom::morphology {
 
 namespace {
 
+const char* wayOf(const MorphologyStats& stats) {
+  if (stats.prisms) return "prisms";
+  return stats.way == Way::Nef ? "nef" : "corefined";
+}
+
 Value statsOf(const MorphologyStats& stats) {
   return {{"parts_a", stats.partsA},     {"parts_b", stats.partsB},
           {"pairs", stats.pairs},        {"candidates", stats.candidates},
           {"check_ms", stats.checkMs},   {"decompose_ms", stats.decomposeMs},
           {"sum_ms", stats.sumMs},       {"unite_ms", stats.uniteMs},
-          {"output_ms", stats.outputMs}, {"way", stats.way == Way::Nef ? "nef" : "corefined"}};
+          {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 /// Solids in exact arithmetic and sums of their convex parts. CGAL stays behind these handles.
 namespace blossom::morphology {
 
-/// Solids in exact arithmetic and sums of their convex parts. CGAL is hidden behind these handles.
 struct SolidBody;
 struct PartList;
 

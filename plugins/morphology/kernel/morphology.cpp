@@ -89,10 +89,12 @@ class Work {
   }
   void finish(const Solid& solid, const Vec3& centre, double from, double to) {
     Stopwatch watch;
-    Finished made = finished(solid, centre, progress_.part(from, to));
-    solids_.push_back(std::move(made.mesh));
-    if (!made.warning.empty()) warn(std::move(made.warning));
-    stats_.outputMs += watch.lapMs();
+    finish(finished(solid, centre, progress_.part(from, to)), watch);
+  }
+  void finish(const Prism& prism, const Vec3& centre, double from, double to) {
+    stats_.prisms = true;
+    Stopwatch watch;
+    finish(finished(trianglesOf(prism, progress_.part(from, to)), centre, progress_.part(from, to)), watch);
   }
   void add(Mesh mesh) { solids_.push_back(std::move(mesh)); }
   void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
@@ -105,6 +107,12 @@ class Work {
   MorphologyStats& stats() { return stats_; }
 
  private:
+  void finish(Finished made, Stopwatch& watch) {
+    solids_.push_back(std::move(made.mesh));
+    if (!made.warning.empty()) warn(std::move(made.warning));
+    stats_.outputMs += watch.lapMs();
+  }
+
   const Progress& progress_;
   MorphologyStats stats_;
   std::vector<Mesh> solids_;
@@ -191,6 +199,17 @@ Pair prepare(Work& work, const Operand& a, const Operand& b) {
   return pair;
 }
 
+/// Both as prisms along one axis.
+struct PrismPair {
+  Prism a, b;
+};
+std::optional<PrismPair> asPrisms(const Pair& pair) {
+  for (const Prism& a : pair.a.prisms)
+    for (const Prism& b : pair.b.prisms)
+      if (a.axis == b.axis) return PrismPair{a, b};
+  return std::nullopt;
+}
+
 void refuseFlatSum(const Solid& sum) {
   if (isEmpty(sum))
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
@@ -206,6 +225,10 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   }
   Work work(progress);
   const Pair pair = prepare(work, a, b);
+  if (const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair)) {
+    work.finish(sum(prisms->a, prisms->b, progress.part(0.1, 0.9)), pair.a.centre + pair.b.centre, 0.9, 1);
+    return work.result();
+  }
   const auto byParts = [&] {
     const Parts partsA = work.apart(pair.a, 0.1, 0.2), partsB = work.apart(pair.b, 0.2, 0.3);
     return work.sum(partsA, partsB, 0.3, 0.95);
@@ -220,6 +243,12 @@ MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progr
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
+  if (const auto prisms = asPrisms(pair)) {
+    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.9));
+    if (!left) nothingLeft(inSentence(a.name), smallerElement);
+    work.finish(*left, pair.a.centre - pair.b.centre, 0.9, 1);
+    return work.result();
+  }
   Eroder eroder(work, pair.a.solid, pair.a.bounds);
   const Solid left = eroder.by(work.apart(pair.b, 0.1, 0.2), pair.b.bounds, pair.grid.step, 0.2, 0.95);
   if (isEmpty(left)) nothingLeft(inSentence(a.name), smallerElement);
@@ -231,6 +260,12 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
+  if (const auto prisms = asPrisms(pair)) {
+    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.5));
+    if (!left) nothingLeft(inSentence(a.name), smallerElement);
+    work.finish(sum(*left, prisms->b, progress.part(0.5, 0.9)), pair.a.centre, 0.9, 1);
+    return work.result();
+  }
   const Parts partsB = work.apart(pair.b, 0.1, 0.15);
   Eroder eroder(work, pair.a.solid, pair.a.bounds);
   const Solid left = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.15, 0.5);
@@ -245,12 +280,19 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
+  constexpr const char* lost = "The closing has lost the solid.";
+  if (const auto prisms = asPrisms(pair)) {
+    const auto closed = difference(sum(prisms->a, prisms->b, progress.part(0.1, 0.5)), prisms->b, progress.part(0.5, 0.9));
+    if (!closed) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
+    work.finish(*closed, pair.a.centre, 0.9, 1);
+    return work.result();
+  }
   const Parts partsA = work.apart(pair.a, 0.1, 0.15), partsB = work.apart(pair.b, 0.15, 0.2);
   const Solid sum = work.sum(partsA, partsB, 0.2, 0.6);
   const Prepared grown = work.asOperand(sum, plus(pair.a.bounds, pair.b.bounds), pair.grid, 0.6, 0.65);
   Eroder eroder(work, grown.solid, grown.bounds);
   const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.65, 0.95);
-  if (isEmpty(closed)) throw Error(ErrorCode::Internal, "The closing has lost the solid.", "Please report the two shapes.");
+  if (isEmpty(closed)) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
   work.finish(closed, pair.a.centre + grown.centre, 0.95, 1);
   return work.result();
 }
@@ -262,8 +304,9 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
   Work work(progress);
   const Pair pair = prepare(work, a, b);
   const auto between = [](double w) { return w > 0 && w < 1; };
+  const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair);
   Parts partsA, partsB;
-  if (way == Way::Corefined && std::any_of(weights.begin(), weights.end(), between)) {
+  if (way == Way::Corefined && !prisms && std::any_of(weights.begin(), weights.end(), between)) {
     partsA = work.apart(pair.a, 0.1, 0.15);
     partsB = work.apart(pair.b, 0.15, 0.2);
   }
@@ -272,6 +315,9 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
   for (const double w : weights) {
     if (!between(w)) {
       work.finish(w <= 0 ? pair.a : pair.b, from, from + share);
+    } else if (prisms) {
+      work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, from + 0.9 * share)),
+                  (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
     } else {
       const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
                                         : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),

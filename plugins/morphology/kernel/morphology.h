@@ -8,24 +8,16 @@
 #include "kernel/operand.h"
 
 /// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
-/// Morphology", sections 2 and 3). Coordinates are true ones: the origin matters, and need not lie in either shape.
-///
-/// Operands are rounded to a grid of 2^-44 of their size and what follows is computed in exact arithmetic, but for bends too
-/// small to be told from that rounding: see flatness.h for what counts as flat, as straight and as convex. Corners that come
-/// out are rounded to doubles, and whether the faces between them cross is tested exactly afterwards. Solids are regular
-/// closed sets: what has no volume is left out. They may touch themselves in common vertices and edges. With r reflex edges
-/// in a solid, O(r^2) convex parts are added pair by pair and united.
-namespace blossom::morphology {
-
-/// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
 /// Morphology", sections 2 and 3). Coordinates are absolute: the origin matters, and need not lie in either shape.
 ///
 /// Operands are rounded to a grid of 2^-44 of their size, then all is computed in exact arithmetic, except that bends too
 /// small to be distinguished from that rounding are ignored (see flatness.h). The corners of results are rounded to doubles,
 /// and an exact test for intersections of faces follows. Solids are regular closed sets: parts without volume are left out.
-/// They may touch themselves in common vertices and edges. A solid with r reflex edges has O(r^2) convex parts, which are
-/// added pair by pair and united.
-///
+/// They may touch themselves in common vertices and edges. Two prisms along one axis of the coordinates are added by their
+/// sections (kernel/prisms/prism.h); another solid with r reflex edges has O(r^2) convex parts, which are added pair by pair
+/// and united.
+namespace blossom::morphology {
+
 /// Two algorithms for the same sum; which is faster depends on the operands.
 enum class Way {
   Corefined,  ///< sums of convex parts (joined where possible), united by corefinement of their surfaces
@@ -34,6 +26,7 @@ enum class Way {
 
 struct MorphologyStats {
   Way way = Way::Corefined;            ///< algorithm of the last sum
+  bool prisms = false;                 ///< no sum of solids was needed: the sections of two prisms were added
   std::size_t partsA = 0, partsB = 0;  ///< convex parts of both; for a difference, of the outside of the first
   std::size_t pairs = 0;               ///< number of pairs of parts that were added
   std::size_t candidates = 0;          ///< facets of the sums of pairs before the union

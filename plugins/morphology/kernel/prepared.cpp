@@ -75,6 +75,7 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);
   for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
+  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, grid.step, progress);
   result.solid = asConvex(checked.triangles);
   if (!result.solid) result.solid = exactSolid(checked.triangles, {operand.name, result.centre}, progress);
   return result;

@@ -4,16 +4,18 @@
 
 #include "kernel/exact.h"
 #include "kernel/operand.h"
+#include "kernel/prisms/prism.h"
 
 namespace blossom::morphology {
 
 /// An operand relative to its own centre and rounded to the grid of the operation, so that sums of coordinates are exact in
 /// doubles and positions far from the origin lose no digits.
 struct Prepared {
-  Solid solid;              ///< nullptr for other forms
-  Parts pieces;             ///< of other forms
-  bool bodiesMeet = false;  ///< bodies of the solid overlap, or touch outside common vertices and edges
-  Bounds bounds;            ///< relative to `centre`
+  Solid solid;                ///< nullptr for other forms
+  Parts pieces;               ///< of other forms
+  std::vector<Prism> prisms;  ///< the solid as those, where its bodies do not meet
+  bool bodiesMeet = false;    ///< bodies of the solid overlap, or touch outside common vertices and edges
+  Bounds bounds;              ///< relative to `centre`
   Vec3 centre = Vec3::Zero();
   std::string name;
   std::vector<std::string> warnings;

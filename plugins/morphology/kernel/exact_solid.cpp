@@ -1,5 +1,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/convex_hull_3.h>
 #include <fmt/format.h>
 
@@ -13,6 +14,17 @@ namespace blossom::morphology {
 namespace {
 
 using Inexact = CGAL::Epick;
+
+using DoublesMesh = CGAL::Surface_mesh<Inexact::Point_3>;
+
+DoublesMesh hullInDoubles(const std::vector<Vec3>& points) {
+  std::vector<Inexact::Point_3> doubles;
+  doubles.reserve(points.size());
+  for (const Vec3& p : points) doubles.emplace_back(p.x(), p.y(), p.z());
+  DoublesMesh surface;
+  CGAL::convex_hull_3(doubles.begin(), doubles.end(), surface);
+  return surface;
+}
 
 const std::vector<std::array<int, 3>> boxTriangles{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                                                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
@@ -45,11 +57,7 @@ SurfaceMesh hullOf(const std::vector<Point>& points) {
 }
 
 SurfaceMesh hullOf(const std::vector<Vec3>& points) {
-  std::vector<Inexact::Point_3> doubles;
-  doubles.reserve(points.size());
-  for (const Vec3& p : points) doubles.emplace_back(p.x(), p.y(), p.z());
-  CGAL::Surface_mesh<Inexact::Point_3> made;
-  CGAL::convex_hull_3(doubles.begin(), doubles.end(), made);
+  const DoublesMesh made = hullInDoubles(points);
   SurfaceMesh surface;
   std::vector<SurfaceMesh::Vertex_index> vertices(made.num_vertices());
   for (const auto v : made.vertices()) {
@@ -62,6 +70,23 @@ SurfaceMesh hullOf(const std::vector<Vec3>& points) {
     surface.add_face(corners);
   }
   return surface;
+}
+
+Mesh hullTriangles(const std::vector<Vec3>& points) {
+  Mesh mesh;
+  if (!haveVolume(toPoints(points))) return mesh;
+  DoublesMesh made = hullInDoubles(points);
+  CGAL::Polygon_mesh_processing::triangulate_faces(made);
+  for (const auto v : made.vertices()) {
+    const auto& p = made.point(v);
+    mesh.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto f : made.faces()) {
+    std::vector<int> corners;
+    for (const auto v : made.vertices_around_face(made.halfedge(f))) corners.push_back(static_cast<int>(v));
+    mesh.addFace(corners);
+  }
+  return mesh;
 }
 
 bool haveVolume(const std::vector<Point>& points) {

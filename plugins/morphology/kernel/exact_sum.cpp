@@ -23,6 +23,7 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
+#include "kernel/convex/convex_sum.h"
 #include "kernel/exact_types.h"
 
 namespace blossom::morphology {
@@ -48,25 +49,60 @@ struct Piece {
   Vec3 place = Vec3::Zero();
 };
 
-SurfaceMesh hullOfSum(const Part& a, const Part& b, Vec3& place) {
-  if (a.points.size() > maximumPairsOfPoints / std::max<std::size_t>(1, b.points.size()))
+/// A convex part with its hull, which has no faces where the part is flat or not on the grid.
+struct Summand {
+  const Part& part;
+  Mesh hull;
+};
+
+std::vector<Summand> summandsOf(const Parts& parts, const Progress& progress) {
+  std::vector<Summand> summands;
+  summands.reserve(partCount(parts));
+  for (const Part& part : parts->parts) {
+    progress.check();
+    summands.push_back({part, hullTriangles(part.grid)});
+  }
+  return summands;
+}
+
+void refuseManyPoints(std::size_t a, std::size_t b) {
+  if (a > maximumPairsOfPoints / std::max<std::size_t>(1, b))
     throw Error(ErrorCode::LimitExceeded, "The two shapes have too many vertices to be added.",
                 "Use a ball with fewer subdivisions, or a larger deviation.");
+}
+
+/// Points of which the sum is the hull, exact in doubles: of many all corners, of few all sums.
+std::vector<Vec3> gridPointsOfSum(const Summand& a, const Summand& b, const Progress& progress) {
+  constexpr std::size_t few = 100;
+  const std::vector<Vec3>&p = a.part.grid, &q = b.part.grid;
+  std::vector<Vec3> sums;
+  if (a.hull.faceCount() > 0 && b.hull.faceCount() > 0 && p.size() * q.size() > few) {
+    for (const auto& [i, j] : cornersOfSum(a.hull, b.hull, progress))
+      sums.push_back(a.hull.points[static_cast<std::size_t>(i)] + b.hull.points[static_cast<std::size_t>(j)]);
+    return sums;
+  }
+  refuseManyPoints(p.size(), q.size());
+  sums.reserve(p.size() * q.size());
+  for (const Vec3& x : p)
+    for (const Vec3& y : q) sums.push_back(x + y);
+  return sums;
+}
+
+SurfaceMesh hullOfSum(const Summand& a, const Summand& b, Vec3& place, const Progress& progress) {
   place = Vec3::Zero();
   SurfaceMesh surface;
-  if (!a.grid.empty() && !b.grid.empty()) {
-    std::vector<Vec3> sums;
-    sums.reserve(a.grid.size() * b.grid.size());
-    for (const Vec3& p : a.grid)
-      for (const Vec3& q : b.grid) sums.push_back(p + q);
+  if (!a.part.grid.empty() && !b.part.grid.empty()) {
+    const std::vector<Vec3> sums = gridPointsOfSum(a, b, progress);
     for (const Vec3& p : sums) place += p / static_cast<double>(sums.size());
     // A hull of points in a plane comes as a flat sheet: without volume, nothing is added.
-    if (haveVolume(toPoints(sums))) surface = hullOf(sums);
+    const bool solid = a.hull.faceCount() > 0 || b.hull.faceCount() > 0 || haveVolume(toPoints(sums));
+    if (solid) surface = hullOf(sums);
   } else {
+    refuseManyPoints(a.part.points.size(), b.part.points.size());
     std::vector<Point> sums;
-    sums.reserve(a.points.size() * b.points.size());
-    for (const Point& p : a.points)
-      for (const Point& q : b.points) sums.push_back(p + (q - CGAL::ORIGIN));
+    sums.reserve(a.part.points.size() * b.part.points.size());
+    for (const Point& p : a.part.points)
+      for (const Point& q : b.part.points) sums.push_back(p + (q - CGAL::ORIGIN));
     for (const Point& p : sums)
       place +=
           Vec3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())) / static_cast<double>(sums.size());
@@ -234,10 +270,11 @@ Solid sumOf(const Parts& a, const Parts& b, SumCounts& counts, const Progress& p
   std::vector<Piece> pieces;
   Stopwatch watch;
   const std::size_t count = partCount(a) * partCount(b);
-  for (const Part& p : a->parts)
-    for (const Part& q : b->parts) {
+  const std::vector<Summand> summandsA = summandsOf(a, progress), summandsB = summandsOf(b, progress);
+  for (const Summand& p : summandsA)
+    for (const Summand& q : summandsB) {
       Piece piece;
-      SurfaceMesh surface = hullOfSum(p, q, piece.place);
+      SurfaceMesh surface = hullOfSum(p, q, piece.place, progress);
       ++counts.pairs;
       progress.report(0.3 * static_cast<double>(pieces.size()) / static_cast<double>(count), "Adding convex parts");
       if (surface.number_of_faces() == 0) continue;

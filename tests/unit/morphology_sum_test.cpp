@@ -187,7 +187,7 @@ class MorphologySumTest : public QObject {
 
   // Walls through every reflex edge cut a solid finer than it needs.
   void partsAreJoinedWhereTheirUnionIsConvex() {
-    const auto partsOf = [](const Mesh& mesh) { return solidSum(bodyOf(mesh), bodyOf(cubeOfSideOne())).stats.partsA; };
+    const auto partsOf = [](const Mesh& mesh) { return solidSum(bodyOf(mesh), bodyOf(cornerTetrahedron())).stats.partsA; };
     QCOMPARE(partsOf(lBlock()), std::size_t{2});
     QCOMPARE(partsOf(frameBlock(5, 2, 0, 2)), std::size_t{4});
     const std::vector<Vec2> plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},

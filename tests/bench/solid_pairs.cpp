@@ -1,0 +1,113 @@
+// Minkowski sums of named solids beside CGAL's `minkowski_sum_3` in the same run: milliseconds, how many times as fast, and
+// whether the volumes agree. Each runs in a process of its own, for two minutes at most; what is measured is the sum alone,
+// with its checks and without the worker's start. `solid_pairs FOLDER [NAME]`: the solids of a folder (README.md there tells
+// how they were made), and the pairs whose names contain NAME.
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/memory.h"
+#include "support/exchange.h"
+#include "support/morphology.h"
+#include "support/timing.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::morphology;
+
+namespace {
+
+constexpr double patience = 120;  // s
+
+struct Run {
+  double seconds = 0, volume = 0;
+};
+
+/// In a process of its own, which can be ended; nothing when that was necessary.
+std::optional<Run> runApart(const std::function<Run()>& work) {
+  std::array<int, 2> pipe{};
+  if (::pipe(pipe.data()) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child == 0) {
+    Run run;
+    try {
+      run = work();
+    } catch (const std::exception& problem) {
+      fmt::print(stderr, "{}\n", problem.what());
+      _exit(1);
+    }
+    _exit(write(pipe[1], &run, sizeof run) == sizeof run ? 0 : 1);
+  }
+  close(pipe[1]);
+  pollfd ready{pipe[0], POLLIN, 0};
+  Run run;
+  const bool done = poll(&ready, 1, static_cast<int>(1e3 * patience)) == 1 && read(pipe[0], &run, sizeof run) == sizeof run;
+  if (!done) kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  close(pipe[0]);
+  return done ? std::optional(run) : std::nullopt;
+}
+
+struct Pair {
+  std::string name;
+  Mesh a, b;
+};
+
+std::vector<Pair> pairs(const std::filesystem::path& folder) {
+  const auto solid = [&](const char* name) {
+    return *readShape(formats(), folder / (std::string(name) + ".off")).shape.get<Mesh>();
+  };
+  std::vector<Pair> all;
+  if (std::filesystem::exists(folder / "gear8.off"))
+    for (const auto& [a, b] : std::vector<std::pair<const char*, const char*>>{{"gear8", "channel"},
+                                                                               {"frame", "gear8"},
+                                                                               {"comb6", "channel"},
+                                                                               {"gear20", "gear8"},
+                                                                               {"grate", "grate"},
+                                                                               {"gear8", "ico80"},
+                                                                               {"torus256", "ico80"}})
+      all.push_back({fmt::format("{} + {}", a, b), solid(a), solid(b)});
+  all.push_back({"ball:5:4 + ball:2:4", ballOf(5, 4), ballOf(2, 4)});
+  all.push_back({"ball:5:2 + ball:2:2", ballOf(5, 2), ballOf(2, 2)});
+  all.push_back({"box + ball:2:3", cuboid({0, 0, 0}, {3, 4, 5}), ballOf(2, 3)});
+  return all;
+}
+
+Run timedSum(const Pair& pair, Way way) {
+  Run run;
+  run.seconds = secondsOf(
+      [&] { run.volume = volumeOf(solidSum(bodyOf(pair.a), bodyOf(pair.b), Progress::none(), way).solids.front()); });
+  return run;
+}
+
+std::string milliseconds(const std::optional<Run>& run) {
+  return run ? fmt::format("{:10.1f} ms", 1e3 * run->seconds) : fmt::format("over {:.0f} s", patience);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  keepFreedMemory();  // as the programs do
+  const std::filesystem::path folder = argc > 1 ? argv[1] : "";
+  const std::string asked = argc > 2 ? argv[2] : "";
+  for (const Pair& pair : pairs(folder)) {
+    if (pair.name.find(asked) == std::string::npos) continue;
+    const auto ours = runApart([&] { return timedSum(pair, Way::Corefined); }),
+               cgal = runApart([&] { return timedSum(pair, Way::Nef); });
+    fmt::print("  {:<24}{}   CGAL {}", pair.name, milliseconds(ours), milliseconds(cgal));
+    if (ours) fmt::print("   {:8.1f} times", (cgal ? cgal->seconds : patience) / ours->seconds);
+    if (ours && cgal && std::abs(ours->volume - cgal->volume) > 1e-9 * cgal->volume)
+      fmt::print("   VOLUME {:.12g}, CGAL has {:.12g}", ours->volume, cgal->volume);
+    fmt::print("\n");
+    std::fflush(stdout);
+  }
+}

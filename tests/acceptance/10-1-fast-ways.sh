@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Sums of solids that need no general engine: prisms along one axis, and convex solids; their speed beside CGAL in the same run
+tests=$build/tests/bin
+qtest "prisms: closed forms, turned solids, CGAL" "$tests/morphology_prism_test"
+qtest "convex solids: hulls of all sums" "$tests/morphology_convex_test"
+if [ -f "$data/solids/gear8.off" ]; then
+  "$tests/solid_pairs" "$data/solids" | tee "$out/solid-pairs.txt" >/dev/null
+  sed 's/^/    /' "$out/solid-pairs.txt"
+  times() { grep -F "$1" "$out/solid-pairs.txt" | grep -oE '[0-9.]+ times' | awk '{ print $1 }'; }
+  ours() { grep -F "$1" "$out/solid-pairs.txt" | grep -oE '[0-9.]+ ms' | head -1 | awk '{ print $1 }'; }
+  equal "named pairs whose volumes differ from CGAL's by more than 1e-9" "$(grep -c VOLUME "$out/solid-pairs.txt")" 0
+  at_least "gear8 + channel, times as fast as CGAL" "$(times "gear8 + channel")" 30 times
+  at_least "frame + gear8" "$(times "frame + gear8")" 30 times
+  at_least "comb6 + channel" "$(times "comb6 + channel")" 10 times
+  at_least "gear8 + ico80" "$(times "gear8 + ico80")" 100 times
+  at_least "torus256 + ico80" "$(times "torus256 + ico80")" 100 times
+  at_most "ball:5:4 + ball:2:4" "$(ours "ball:5:4 + ball:2:4")" 50 ms
+else
+  report SKIP "named pairs beside CGAL" "no ../shared/data" ""
+fi

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <optional>
+
+#include "core/error.h"
+#include "kernel/morphology.h"
+#include "kernel/operations/eroder.h"
+#include "kernel/operations/work.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+Bounds plus(const Bounds& a, const Bounds& b) {
+  Bounds sum;
+  sum.add(a.low + b.low);
+  sum.add(a.high + b.high);
+  return sum;
+}
+
+constexpr const char* smallerElement = "Choose a smaller second shape.";
+
+struct Pair {
+  CommonGrid grid;
+  Prepared a, b;
+};
+
+Pair prepare(Work& work, const Operand& a, const Operand& b) {
+  const CommonGrid grid = gridFor(a.bounds(), b.bounds());
+  Pair pair{grid, work.prepare(a, grid, 0, 0.05), {}};
+  pair.b = work.prepare(b, grid, 0.05, 0.1);
+  return pair;
+}
+
+/// Both as prisms along one axis.
+struct PrismPair {
+  Prism a, b;
+};
+std::optional<PrismPair> asPrisms(const Pair& pair) {
+  for (const Prism& a : pair.a.prisms)
+    for (const Prism& b : pair.b.prisms)
+      if (a.axis == b.axis) return PrismPair{a, b};
+  return std::nullopt;
+}
+
+void refuseFlatSum(const Solid& sum) {
+  if (isEmpty(sum))
+    throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
+                "Choose a solid for one of them.");
+}
+
+}  // namespace
+
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress, Way way) {
+  if (way == Way::Nef) {
+    requireSolid(a);
+    requireSolid(b);
+  }
+  Work work(progress);
+  const Pair pair = prepare(work, a, b);
+  if (const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair)) {
+    work.finish(sum(prisms->a, prisms->b, progress.part(0.1, 0.9)), pair.a.centre + pair.b.centre, 0.9, 1);
+    return work.result();
+  }
+  const auto byParts = [&] {
+    const Parts partsA = work.apart(pair.a, 0.1, 0.2), partsB = work.apart(pair.b, 0.2, 0.3);
+    return work.sum(partsA, partsB, 0.3, 0.95);
+  };
+  const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1, pair.b, 1, 0.1, 0.95) : byParts();
+  refuseFlatSum(sum);
+  work.finish(sum, pair.a.centre + pair.b.centre, 0.95, 1);
+  return work.result();
+}
+
+MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  Work work(progress);
+  const Pair pair = prepare(work, a, b);
+  if (const auto prisms = asPrisms(pair)) {
+    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.9));
+    if (!left) nothingLeft(a, smallerElement);
+    work.finish(*left, pair.a.centre - pair.b.centre, 0.9, 1);
+    return work.result();
+  }
+  Eroder eroder(work, pair.a.solid, pair.a.bounds);
+  const Solid left = eroder.by(work.apart(pair.b, 0.1, 0.2), pair.b.bounds, pair.grid.step, 0.2, 0.95);
+  if (isEmpty(left)) nothingLeft(a, smallerElement);
+  work.finish(left, pair.a.centre - pair.b.centre, 0.95, 1);
+  return work.result();
+}
+
+MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  Work work(progress);
+  const Pair pair = prepare(work, a, b);
+  if (const auto prisms = asPrisms(pair)) {
+    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.5));
+    if (!left) nothingLeft(a, smallerElement);
+    work.finish(sum(*left, prisms->b, progress.part(0.5, 0.9)), pair.a.centre, 0.9, 1);
+    return work.result();
+  }
+  const Parts partsB = work.apart(pair.b, 0.1, 0.15);
+  Eroder eroder(work, pair.a.solid, pair.a.bounds);
+  const Solid left = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.15, 0.5);
+  if (isEmpty(left)) nothingLeft(a, smallerElement);
+  const Prepared core = work.asOperand(left, minus(pair.a.bounds, pair.b.bounds), pair.grid, 0.5, 0.55);
+  const Solid opened = work.sum(work.apart(core, 0.55, 0.6), partsB, 0.6, 0.95);
+  work.finish(opened, pair.a.centre + core.centre, 0.95, 1);
+  return work.result();
+}
+
+MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  Work work(progress);
+  const Pair pair = prepare(work, a, b);
+  constexpr const char* lost = "The closing has lost the solid.";
+  if (const auto prisms = asPrisms(pair)) {
+    const auto closed = difference(sum(prisms->a, prisms->b, progress.part(0.1, 0.5)), prisms->b, progress.part(0.5, 0.9));
+    if (!closed) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
+    work.finish(*closed, pair.a.centre, 0.9, 1);
+    return work.result();
+  }
+  const Parts partsA = work.apart(pair.a, 0.1, 0.15), partsB = work.apart(pair.b, 0.15, 0.2);
+  const Solid sum = work.sum(partsA, partsB, 0.2, 0.6);
+  const Prepared grown = work.asOperand(sum, plus(pair.a.bounds, pair.b.bounds), pair.grid, 0.6, 0.65);
+  Eroder eroder(work, grown.solid, grown.bounds);
+  const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.65, 0.95);
+  if (isEmpty(closed)) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
+  work.finish(closed, pair.a.centre + grown.centre, 0.95, 1);
+  return work.result();
+}
+
+MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights, const Progress& progress,
+                            Way way) {
+  requireSolid(a);
+  requireSolid(b);
+  Work work(progress);
+  const Pair pair = prepare(work, a, b);
+  const auto between = [](double w) { return w > 0 && w < 1; };
+  const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair);
+  Parts partsA, partsB;
+  if (way == Way::Corefined && !prisms && std::any_of(weights.begin(), weights.end(), between)) {
+    partsA = work.apart(pair.a, 0.1, 0.15);
+    partsB = work.apart(pair.b, 0.15, 0.2);
+  }
+  const double share = 0.8 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
+  double from = 0.2;
+  for (const double w : weights) {
+    if (!between(w)) {
+      work.finish(w <= 0 ? pair.a : pair.b, from, from + share);
+    } else if (prisms) {
+      work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, from + 0.9 * share)),
+                  (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
+    } else {
+      const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
+                                        : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),
+                                                   from, from + 0.9 * share);
+      work.finish(sum, (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
+    }
+    from += share;
+  }
+  return work.result();
+}
+
+}  // namespace blossom::morphology

@@ -36,6 +36,10 @@ Solid exactSolid(const Mesh& triangles, const Subject&, const Progress&);
 Solid box(const Bounds&);
 /// nullptr when the points lie in a plane.
 Solid hull(const std::vector<Vec3>& points);
+/// The same as closed triangles over its corners; without faces when the points lie in a plane.
+Mesh hullTriangles(const std::vector<Vec3>& points);
+/// @pre the triangles are a hull, with coordinates whose sums are exact in doubles
+Solid convexSolid(const Mesh& hull);
 
 [[nodiscard]] bool isEmpty(const Solid&);
 [[nodiscard]] bool isConvex(const Solid&);

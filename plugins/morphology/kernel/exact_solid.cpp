@@ -131,6 +131,16 @@ Solid hull(const std::vector<Vec3>& points) {
   return body;
 }
 
+Solid convexSolid(const Mesh& hull) {
+  std::vector<std::array<int, 3>> faces;
+  for (std::size_t f = 0; f < hull.faceCount(); ++f) faces.push_back({hull.face(f)[0], hull.face(f)[1], hull.face(f)[2]});
+  auto body = std::make_shared<SolidBody>();
+  body->surface = surfaceFrom(toPoints(hull.points), faces, "the hull");
+  body->convex = true;
+  body->gridPoints = hull.points;
+  return body;
+}
+
 bool isEmpty(const Solid& solid) {
   return !solid || (solid->nef ? solid->nef->is_empty() : solid->surface.number_of_faces() == 0);
 }

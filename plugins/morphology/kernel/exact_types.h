@@ -78,8 +78,6 @@ struct Triangles {
 Triangles trianglesOf(const Nef&);
 SurfaceMesh hullOf(const std::vector<Point>&);
 SurfaceMesh hullOf(const std::vector<Vec3>&);
-/// The hull as triangles over its corners; without faces when the points lie in a plane.
-Mesh hullTriangles(const std::vector<Vec3>&);
 /// Joins neighbouring convex parts where their union is nearly convex, because the decomposition makes more walls than
 /// needed. Parts only grow by it, see joinedPartsFlatness.
 Parts joinedParts(const Parts&, const Progress&);

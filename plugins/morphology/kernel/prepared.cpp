@@ -36,16 +36,16 @@ bool locallyConvex(const Mesh& mesh, const MeshTopology& topology, double tolera
   });
 }
 
-/// A solid whose hull adds nothing but rounding is its hull: faces of a tilted box are planes only nearly.
-Solid asConvex(const Mesh& triangles) {
+/// A solid whose hull adds nothing but rounding is its hull: faces of a tilted box are planes only nearly. Without faces: it
+/// is not convex.
+Mesh hullOfConvex(const Mesh& triangles) {
   const MeshTopology topology = meshTopology(triangles);
   const double size = bounds(triangles).diagonal(), tolerance = hullFlatness * size;
-  if (topology.components.size() != 1 || topology.components.front().genus() != 0) return nullptr;
-  if (!locallyConvex(triangles, topology, tolerance)) return nullptr;
-  Solid convex = hull(triangles.points);
-  if (!convex) return nullptr;
-  const double added = signedVolume(rounded(convex, Vec3::Zero(), Progress::none())) - signedVolume(triangles);
-  return std::abs(added) <= tolerance * area(triangles) ? convex : nullptr;
+  if (topology.components.size() != 1 || topology.components.front().genus() != 0) return {};
+  if (!locallyConvex(triangles, topology, tolerance)) return {};
+  Mesh hull = hullTriangles(triangles.points);
+  const double added = signedVolume(hull) - signedVolume(triangles);
+  return std::abs(added) <= tolerance * area(triangles) ? hull : Mesh();
 }
 
 }  // namespace
@@ -76,8 +76,9 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   result.warnings = std::move(checked.warnings);
   for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
   if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, grid.step, progress);
-  result.solid = asConvex(checked.triangles);
-  if (!result.solid) result.solid = exactSolid(checked.triangles, {operand.name, result.centre}, progress);
+  result.hull = hullOfConvex(checked.triangles);
+  result.solid = result.hull.faceCount() > 0 ? convexSolid(result.hull)
+                                             : exactSolid(checked.triangles, {operand.name, result.centre}, progress);
   return result;
 }
 

@@ -13,6 +13,7 @@ namespace blossom::morphology {
 struct Prepared {
   Solid solid;                ///< nullptr for other forms
   Parts pieces;               ///< of other forms
+  Mesh hull;                  ///< a convex solid as triangles; of others without faces
   std::vector<Prism> prisms;  ///< the solid as those, where its bodies do not meet
   bool bodiesMeet = false;    ///< bodies of the solid overlap, or touch outside common vertices and edges
   Bounds bounds;              ///< relative to `centre`

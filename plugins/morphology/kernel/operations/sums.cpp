@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/error.h"
+#include "kernel/convex/convex_sum.h"
 #include "kernel/morphology.h"
 #include "kernel/operations/eroder.h"
 #include "kernel/operations/work.h"
@@ -42,6 +44,35 @@ std::optional<PrismPair> asPrisms(const Pair& pair) {
   return std::nullopt;
 }
 
+/// The corners of weighted sums of two convex solids.
+class ConvexPair {
+ public:
+  ConvexPair(const Pair& pair, Work& work) : a_(pair.a.hull), b_(pair.b.hull), work_(work) {
+    if (!both()) return;
+    Stopwatch watch;
+    corners_ = cornersOfSum(a_, b_, work.progress());
+    work_.stats().sumMs += watch.lapMs();
+  }
+
+  [[nodiscard]] bool both() const { return a_.faceCount() > 0 && b_.faceCount() > 0; }
+  /// weightA a + weightB b
+  [[nodiscard]] Mesh sum(double weightA, double weightB) {
+    Stopwatch watch;
+    Mesh made = convexSum(a_, weightA, b_, weightB, corners_);
+    MorphologyStats& stats = work_.stats();
+    stats.partsA = stats.partsB = 1;
+    ++stats.pairs;
+    stats.candidates += made.faceCount();
+    stats.sumMs += watch.lapMs();
+    return made;
+  }
+
+ private:
+  const Mesh &a_, &b_;
+  Work& work_;
+  std::vector<std::array<int, 2>> corners_;
+};
+
 void refuseFlatSum(const Solid& sum) {
   if (isEmpty(sum))
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
@@ -59,6 +90,10 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   const Pair pair = prepare(work, a, b);
   if (const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair)) {
     work.finish(sum(prisms->a, prisms->b, progress.part(0.1, 0.9)), pair.a.centre + pair.b.centre, 0.9, 1);
+    return work.result();
+  }
+  if (ConvexPair convex(pair, work); convex.both() && way != Way::Nef) {
+    work.finish(convex.sum(1, 1), pair.a.centre + pair.b.centre, 0.3, 1);
     return work.result();
   }
   const auto byParts = [&] {
@@ -137,8 +172,10 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
   const Pair pair = prepare(work, a, b);
   const auto between = [](double w) { return w > 0 && w < 1; };
   const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair);
+  ConvexPair convex(pair, work);
+  const bool bothConvex = way != Way::Nef && convex.both();
   Parts partsA, partsB;
-  if (way == Way::Corefined && !prisms && std::any_of(weights.begin(), weights.end(), between)) {
+  if (way == Way::Corefined && !prisms && !bothConvex && std::any_of(weights.begin(), weights.end(), between)) {
     partsA = work.apart(pair.a, 0.1, 0.15);
     partsB = work.apart(pair.b, 0.15, 0.2);
   }
@@ -150,6 +187,8 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
     } else if (prisms) {
       work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, from + 0.9 * share)),
                   (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
+    } else if (bothConvex) {
+      work.finish(convex.sum(1 - w, w), (1 - w) * pair.a.centre + w * pair.b.centre, from, from + share);
     } else {
       const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
                                         : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),

@@ -77,10 +77,14 @@ void Work::finish(const Solid& solid, const Vec3& centre, double from, double to
   add(finished(solid, centre, progress_.part(from, to)), watch);
 }
 
+void Work::finish(const Mesh& triangles, const Vec3& centre, double from, double to) {
+  Stopwatch watch;
+  add(finished(triangles, centre, progress_.part(from, to)), watch);
+}
+
 void Work::finish(const Prism& prism, const Vec3& centre, double from, double to) {
   stats_.prisms = true;
-  Stopwatch watch;
-  add(finished(trianglesOf(prism, progress_.part(from, to)), centre, progress_.part(from, to)), watch);
+  finish(trianglesOf(prism, progress_.part(from, to)), centre, from, to);
 }
 
 void Work::add(Finished made, Stopwatch& watch) {

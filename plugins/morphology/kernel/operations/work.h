@@ -30,6 +30,8 @@ class Work {
   /// The operand as it is, its bodies made one where they meet.
   void finish(const Prepared&, double from, double to);
   void finish(const Solid&, const Vec3& centre, double from, double to);
+  /// Closed, oriented triangles.
+  void finish(const Mesh&, const Vec3& centre, double from, double to);
   void finish(const Prism&, const Vec3& centre, double from, double to);
   void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
 

@@ -173,7 +173,7 @@ class MorphologyCgalTest : public QObject {
 
   // Parts united by cutting surfaces take minutes over these; CGAL's one call takes a second.
   void wallsInCommonPlanes() {
-    const Mesh a = onGrid(gear(6, 2)), b = onGrid(uChannel());
+    const Mesh a = onGrid(gear(6, 2)), b = onGrid(along(0, uChannel()));
     const Peer peer = sumByCgal(a, b);
     const Evaluated sum = made("solid-sum", Value::object(), {a, b});
     COMPARE_NEAR(volume(sum), peer.volume, 1e-9 * peer.volume);

@@ -67,6 +67,15 @@ inline Mesh together(const Mesh& a, const Mesh& b) {
   return result;
 }
 
+/// With what was its z axis along x, y or z: 0, 1 or 2.
+inline Mesh along(int axis, Mesh mesh) {
+  for (Vec3& p : mesh.points) {
+    const Vec3 q = p;
+    for (int k = 0; k < 3; ++k) p[(axis + 1 + k) % 3] = q[k];
+  }
+  return mesh;
+}
+
 inline Mesh cuboid(const Vec3& low, const Vec3& high) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i)

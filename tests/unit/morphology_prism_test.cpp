@@ -21,15 +21,6 @@ std::vector<Vec2> starOutline(int tips, double outer, double inner) {
   return corners;
 }
 
-/// With its axis along x, y or z.
-Mesh along(int axis, Mesh mesh) {
-  for (Vec3& p : mesh.points) {
-    const Vec3 q = p;
-    for (int k = 0; k < 3; ++k) p[(axis + 1 + k) % 3] = q[k];
-  }
-  return mesh;
-}
-
 using PairMaker = MorphologyResult (*)(const Operand&, const Operand&, const Progress&);
 
 MorphologyResult sumOfTwo(const Operand& a, const Operand& b, const Progress& p) { return solidSum(a, b, p); }

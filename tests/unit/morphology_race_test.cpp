@@ -117,9 +117,9 @@ class MorphologyRaceTest : public QObject {
     QVERIFY(firstEnded && secondEnded);
   }
 
-  // Gear and channel: walls in common planes.
+  // Gear and channel, which are prisms along different axes: walls in common planes.
   void aSumThatTheFirstWayTakesMinutesOver() {
-    const Evaluated sum = made("solid-sum", Value::object(), {gear(6, 2), uChannel()});
+    const Evaluated sum = made("solid-sum", Value::object(), {gear(6, 2), along(0, uChannel())});
     QCOMPARE(sum.stats.at("way"), Value("nef"));
     endIdleWorkers();  // the child of the second way may be kept
     QVERIFY(helpers().empty());

@@ -1,5 +1,7 @@
 #include "feature_groups.h"
 
+#include <algorithm>
+
 #include "isolate/in_worker.h"
 
 namespace blossom::morphology {
@@ -44,6 +46,7 @@ Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& time
 
 std::vector<double> frameTimes(int frames) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(std::max(0, frames)));
   for (int k = 0; k < frames; ++k) times.push_back(frames == 1 ? 1 : static_cast<double>(k) / (frames - 1));
   return times;
 }

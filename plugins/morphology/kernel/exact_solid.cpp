@@ -77,6 +77,7 @@ Mesh hullTriangles(const std::vector<Vec3>& points) {
   if (!haveVolume(toPoints(points))) return mesh;
   DoublesMesh made = hullInDoubles(points);
   CGAL::Polygon_mesh_processing::triangulate_faces(made);
+  mesh.points.reserve(made.number_of_vertices());
   for (const auto v : made.vertices()) {
     const auto& p = made.point(v);
     mesh.points.emplace_back(p.x(), p.y(), p.z());
@@ -113,6 +114,7 @@ Solid solidFrom(SurfaceMesh surface) {
 
 Solid box(const Bounds& b) {
   std::vector<Vec3> corners;
+  corners.reserve(8);
   for (int k = 0; k < 8; ++k)
     corners.emplace_back((k & 1 ? b.high : b.low).x(), (k & 2 ? b.high : b.low).y(), (k & 4 ? b.high : b.low).z());
   auto body = std::make_shared<SolidBody>();
@@ -133,6 +135,7 @@ Solid hull(const std::vector<Vec3>& points) {
 
 Solid convexSolid(const Mesh& hull) {
   std::vector<std::array<int, 3>> faces;
+  faces.reserve(hull.faceCount());
   for (std::size_t f = 0; f < hull.faceCount(); ++f) faces.push_back({hull.face(f)[0], hull.face(f)[1], hull.face(f)[2]});
   auto body = std::make_shared<SolidBody>();
   body->surface = surfaceFrom(toPoints(hull.points), faces, "the hull");

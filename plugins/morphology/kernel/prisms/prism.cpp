@@ -77,6 +77,7 @@ class PrismMesh {
 
   Mesh made(const Progress& progress) && {
     std::vector<Loop> loops;
+    loops.reserve(prism_.section.size());
     for (const Polygon& polygon : prism_.section) {
       loops.push_back(polygon.outer);
       loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());

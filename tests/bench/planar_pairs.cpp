@@ -2,17 +2,12 @@
 // the geometric mean of these with each counted as 100 at most. Ours is the median of several runs, everything included;
 // CGAL runs once, for two minutes at most. `planar_pairs NAME` runs the pairs whose names contain NAME.
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 
 #include "core/memory.h"
 #include "core/parallel.h"
@@ -20,6 +15,7 @@
 #include "geometry/planar/sums/polygon_sum.h"
 #include "support/planar_peer.h"
 #include "support/random.h"
+#include "support/run_apart.h"
 #include "support/timing.h"
 
 using namespace blossom;
@@ -127,25 +123,11 @@ struct PeerRun {
 };
 constexpr double patience = 120;  // s
 
-/// In a process of its own, which can be ended; nothing when that was necessary.
-std::optional<PeerRun> runPeer(const Pair& pair) {
-  std::array<int, 2> pipe{};
-  if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::function<double()> sum = reducedConvolution(toRegion(pair.a), toRegion(pair.b));
-    PeerRun run;
-    run.seconds = secondsOf([&] { run.area = sum(); });
-    _exit(write(pipe[1], &run, sizeof run) == sizeof run ? 0 : 1);
-  }
-  close(pipe[1]);
-  pollfd ready{pipe[0], POLLIN, 0};
+PeerRun peerRun(const Pair& pair) {
+  const std::function<double()> sum = reducedConvolution(toRegion(pair.a), toRegion(pair.b));
   PeerRun run;
-  const bool done = poll(&ready, 1, static_cast<int>(1e3 * patience)) == 1 && read(pipe[0], &run, sizeof run) == sizeof run;
-  if (!done) kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-  close(pipe[0]);
-  return done ? std::optional(run) : std::nullopt;
+  run.seconds = secondsOf([&] { run.area = sum(); });
+  return run;
 }
 
 }  // namespace
@@ -159,7 +141,7 @@ int main(int argc, char** argv) {
     if (std::string_view(pair.name).find(asked) == std::string_view::npos) continue;
     double area = 0;
     const double seconds = medianSeconds([&] { area = planar::area(planar::sum(pair.a, pair.b)); });
-    const std::optional<PeerRun> peer = runPeer(pair);
+    const std::optional<PeerRun> peer = runApart([&] { return peerRun(pair); }, patience);
     const double times = (peer ? peer->seconds : patience) / seconds;
     fmt::print("  {:<24}{:12.3f} ms   CGAL {}{:12.1f} ms   {:8.1f} times", pair.name, 1e3 * seconds,
                peer ? "     " : "over ", 1e3 * (peer ? peer->seconds : patience), times);

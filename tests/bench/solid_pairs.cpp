@@ -3,14 +3,9 @@
 // with its checks and without the worker's start. `solid_pairs FOLDER [NAME]`: the solids of a folder (README.md there tells
 // how they were made), and the pairs whose names contain NAME.
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <csignal>
+#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +13,7 @@
 #include "core/memory.h"
 #include "support/exchange.h"
 #include "support/morphology.h"
+#include "support/run_apart.h"
 #include "support/timing.h"
 
 using namespace blossom;
@@ -31,31 +27,6 @@ constexpr double patience = 120;  // s
 struct Run {
   double seconds = 0, volume = 0;
 };
-
-/// In a process of its own, which can be ended; nothing when that was necessary.
-std::optional<Run> runApart(const std::function<Run()>& work) {
-  std::array<int, 2> pipe{};
-  if (::pipe(pipe.data()) != 0) return std::nullopt;
-  const pid_t child = fork();
-  if (child == 0) {
-    Run run;
-    try {
-      run = work();
-    } catch (const std::exception& problem) {
-      fmt::print(stderr, "{}\n", problem.what());
-      _exit(1);
-    }
-    _exit(write(pipe[1], &run, sizeof run) == sizeof run ? 0 : 1);
-  }
-  close(pipe[1]);
-  pollfd ready{pipe[0], POLLIN, 0};
-  Run run;
-  const bool done = poll(&ready, 1, static_cast<int>(1e3 * patience)) == 1 && read(pipe[0], &run, sizeof run) == sizeof run;
-  if (!done) kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-  close(pipe[0]);
-  return done ? std::optional(run) : std::nullopt;
-}
 
 struct Pair {
   std::string name;
@@ -101,8 +72,8 @@ int main(int argc, char** argv) {
   const std::string asked = argc > 2 ? argv[2] : "";
   for (const Pair& pair : pairs(folder)) {
     if (pair.name.find(asked) == std::string::npos) continue;
-    const auto ours = runApart([&] { return timedSum(pair, Way::Corefined); }),
-               cgal = runApart([&] { return timedSum(pair, Way::Nef); });
+    const auto ours = runApart([&] { return timedSum(pair, Way::Corefined); }, patience),
+               cgal = runApart([&] { return timedSum(pair, Way::Nef); }, patience);
     fmt::print("  {:<24}{}   CGAL {}", pair.name, milliseconds(ours), milliseconds(cgal));
     if (ours) fmt::print("   {:8.1f} times", (cgal ? cgal->seconds : patience) / ours->seconds);
     if (ours && cgal && std::abs(ours->volume - cgal->volume) > 1e-9 * cgal->volume)

@@ -75,13 +75,10 @@ void refuseManyPoints(std::size_t a, std::size_t b) {
 std::vector<Vec3> gridPointsOfSum(const Summand& a, const Summand& b, const Progress& progress) {
   constexpr std::size_t few = 100;
   const std::vector<Vec3>&p = a.part.grid, &q = b.part.grid;
-  std::vector<Vec3> sums;
-  if (a.hull.faceCount() > 0 && b.hull.faceCount() > 0 && p.size() * q.size() > few) {
-    for (const auto& [i, j] : cornersOfSum(a.hull, b.hull, progress))
-      sums.push_back(a.hull.points[static_cast<std::size_t>(i)] + b.hull.points[static_cast<std::size_t>(j)]);
-    return sums;
-  }
+  if (a.hull.faceCount() > 0 && b.hull.faceCount() > 0 && p.size() * q.size() > few)
+    return pointsOfSum(a.hull, 1, b.hull, 1, cornersOfSum(a.hull, b.hull, progress));
   refuseManyPoints(p.size(), q.size());
+  std::vector<Vec3> sums;
   sums.reserve(p.size() * q.size());
   for (const Vec3& x : p)
     for (const Vec3& y : q) sums.push_back(x + y);

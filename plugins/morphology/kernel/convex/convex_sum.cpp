@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "kernel/convex/normal_cones.h"
-#include "kernel/exact.h"
 
 namespace blossom::morphology {
 
@@ -72,12 +71,13 @@ std::vector<std::array<int, 2>> cornersOfSum(const Mesh& a, const Mesh& b, const
   return pairs;
 }
 
-Mesh convexSum(const Mesh& a, double weightA, const Mesh& b, double weightB, std::span<const std::array<int, 2>> corners) {
+std::vector<Vec3> pointsOfSum(const Mesh& a, double weightA, const Mesh& b, double weightB,
+                              std::span<const std::array<int, 2>> corners) {
   std::vector<Vec3> sums;
   sums.reserve(corners.size());
   for (const auto& [i, j] : corners)
     sums.push_back(weightA * a.points[static_cast<std::size_t>(i)] + weightB * b.points[static_cast<std::size_t>(j)]);
-  return hullTriangles(sums);
+  return sums;
 }
 
 }  // namespace blossom::morphology

@@ -16,7 +16,8 @@ namespace blossom::morphology {
 /// @pre closed triangles, counter-clockwise seen from outside. @throws Error Cancelled
 std::vector<std::array<int, 2>> cornersOfSum(const Mesh& a, const Mesh& b, const Progress& = Progress::none());
 
-/// weightA a + weightB b as closed triangles: the hull of its corners, which are the same pairs for all weights above 0.
-Mesh convexSum(const Mesh& a, double weightA, const Mesh& b, double weightB, std::span<const std::array<int, 2>> corners);
+/// The corners of weightA a + weightB b, which are the same pairs for all weights above 0.
+std::vector<Vec3> pointsOfSum(const Mesh& a, double weightA, const Mesh& b, double weightB,
+                              std::span<const std::array<int, 2>> corners);
 
 }  // namespace blossom::morphology

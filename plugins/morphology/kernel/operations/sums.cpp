@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "kernel/convex/convex_sum.h"
@@ -44,21 +45,30 @@ std::optional<PrismPair> asPrisms(const Pair& pair) {
   return std::nullopt;
 }
 
-/// The corners of weighted sums of two convex solids.
-class ConvexPair {
+/// Finishes what `operation` makes of both as prisms, where they are. @returns whether they are
+template <class Operation>
+bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Operation& operation) {
+  const auto prisms = asPrisms(pair);
+  if (!prisms) return false;
+  work.finish(operation(prisms->a, prisms->b, work.progress().part(0.1, 0.9)), centre, 0.9, 1);
+  return true;
+}
+
+bool areConvex(const Pair& pair) { return pair.a.hull.faceCount() > 0 && pair.b.hull.faceCount() > 0; }
+
+/// Weighted sums of two convex solids, whose corners are paired once.
+class ConvexSums {
  public:
-  ConvexPair(const Pair& pair, Work& work) : a_(pair.a.hull), b_(pair.b.hull), work_(work) {
-    if (!both()) return;
+  ConvexSums(const Pair& pair, Work& work) : a_(pair.a.hull), b_(pair.b.hull), work_(work) {
     Stopwatch watch;
     corners_ = cornersOfSum(a_, b_, work.progress());
     work_.stats().sumMs += watch.lapMs();
   }
 
-  [[nodiscard]] bool both() const { return a_.faceCount() > 0 && b_.faceCount() > 0; }
   /// weightA a + weightB b
   [[nodiscard]] Mesh sum(double weightA, double weightB) {
     Stopwatch watch;
-    Mesh made = convexSum(a_, weightA, b_, weightB, corners_);
+    Mesh made = hullTriangles(pointsOfSum(a_, weightA, b_, weightB, corners_));
     MorphologyStats& stats = work_.stats();
     stats.partsA = stats.partsB = 1;
     ++stats.pairs;
@@ -79,6 +89,11 @@ void refuseFlatSum(const Solid& sum) {
                 "Choose a solid for one of them.");
 }
 
+Prism leftOf(std::optional<Prism> left, const Operand& a) {
+  if (!left) nothingLeft(a, smallerElement);
+  return *std::move(left);
+}
+
 }  // namespace
 
 MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress, Way way) {
@@ -88,12 +103,11 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   }
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  if (const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair)) {
-    work.finish(sum(prisms->a, prisms->b, progress.part(0.1, 0.9)), pair.a.centre + pair.b.centre, 0.9, 1);
-    return work.result();
-  }
-  if (ConvexPair convex(pair, work); convex.both() && way != Way::Nef) {
-    work.finish(convex.sum(1, 1), pair.a.centre + pair.b.centre, 0.3, 1);
+  const Vec3 centre = pair.a.centre + pair.b.centre;
+  const auto ofPrisms = [](const Prism& p, const Prism& q, const Progress& part) { return sum(p, q, part); };
+  if (way != Way::Nef && finishedAsPrisms(work, pair, centre, ofPrisms)) return work.result();
+  if (way != Way::Nef && areConvex(pair)) {
+    work.finish(ConvexSums(pair, work).sum(1, 1), centre, 0.3, 1);
     return work.result();
   }
   const auto byParts = [&] {
@@ -102,7 +116,7 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   };
   const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1, pair.b, 1, 0.1, 0.95) : byParts();
   refuseFlatSum(sum);
-  work.finish(sum, pair.a.centre + pair.b.centre, 0.95, 1);
+  work.finish(sum, centre, 0.95, 1);
   return work.result();
 }
 
@@ -110,12 +124,10 @@ MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progr
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  if (const auto prisms = asPrisms(pair)) {
-    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.9));
-    if (!left) nothingLeft(a, smallerElement);
-    work.finish(*left, pair.a.centre - pair.b.centre, 0.9, 1);
-    return work.result();
-  }
+  const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
+    return leftOf(difference(p, q, part), a);
+  };
+  if (finishedAsPrisms(work, pair, pair.a.centre - pair.b.centre, ofPrisms)) return work.result();
   Eroder eroder(work, pair.a.solid, pair.a.bounds);
   const Solid left = eroder.by(work.apart(pair.b, 0.1, 0.2), pair.b.bounds, pair.grid.step, 0.2, 0.95);
   if (isEmpty(left)) nothingLeft(a, smallerElement);
@@ -127,12 +139,10 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  if (const auto prisms = asPrisms(pair)) {
-    const auto left = difference(prisms->a, prisms->b, progress.part(0.1, 0.5));
-    if (!left) nothingLeft(a, smallerElement);
-    work.finish(sum(*left, prisms->b, progress.part(0.5, 0.9)), pair.a.centre, 0.9, 1);
-    return work.result();
-  }
+  const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
+    return sum(leftOf(difference(p, q, part.part(0, 0.5)), a), q, part.part(0.5, 1));
+  };
+  if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
   const Parts partsB = work.apart(pair.b, 0.1, 0.15);
   Eroder eroder(work, pair.a.solid, pair.a.bounds);
   const Solid left = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.15, 0.5);
@@ -147,19 +157,21 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   requireSolid(a);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  constexpr const char* lost = "The closing has lost the solid.";
-  if (const auto prisms = asPrisms(pair)) {
-    const auto closed = difference(sum(prisms->a, prisms->b, progress.part(0.1, 0.5)), prisms->b, progress.part(0.5, 0.9));
-    if (!closed) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
-    work.finish(*closed, pair.a.centre, 0.9, 1);
-    return work.result();
-  }
+  const auto requireClosed = [](bool empty) {
+    if (empty) throw Error(ErrorCode::Internal, "The closing has lost the solid.", "Please report the two shapes.");
+  };
+  const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
+    std::optional<Prism> closed = difference(sum(p, q, part.part(0, 0.5)), q, part.part(0.5, 1));
+    requireClosed(!closed);
+    return *std::move(closed);
+  };
+  if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
   const Parts partsA = work.apart(pair.a, 0.1, 0.15), partsB = work.apart(pair.b, 0.15, 0.2);
   const Solid sum = work.sum(partsA, partsB, 0.2, 0.6);
   const Prepared grown = work.asOperand(sum, plus(pair.a.bounds, pair.b.bounds), pair.grid, 0.6, 0.65);
   Eroder eroder(work, grown.solid, grown.bounds);
   const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.65, 0.95);
-  if (isEmpty(closed)) throw Error(ErrorCode::Internal, lost, "Please report the two shapes.");
+  requireClosed(isEmpty(closed));
   work.finish(closed, pair.a.centre + grown.centre, 0.95, 1);
   return work.result();
 }
@@ -172,10 +184,10 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
   const Pair pair = prepare(work, a, b);
   const auto between = [](double w) { return w > 0 && w < 1; };
   const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair);
-  ConvexPair convex(pair, work);
-  const bool bothConvex = way != Way::Nef && convex.both();
+  std::optional<ConvexSums> convex;
+  if (way != Way::Nef && !prisms && areConvex(pair)) convex.emplace(pair, work);
   Parts partsA, partsB;
-  if (way == Way::Corefined && !prisms && !bothConvex && std::any_of(weights.begin(), weights.end(), between)) {
+  if (way == Way::Corefined && !prisms && !convex && std::any_of(weights.begin(), weights.end(), between)) {
     partsA = work.apart(pair.a, 0.1, 0.15);
     partsB = work.apart(pair.b, 0.15, 0.2);
   }
@@ -187,8 +199,8 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
     } else if (prisms) {
       work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, from + 0.9 * share)),
                   (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
-    } else if (bothConvex) {
-      work.finish(convex.sum(1 - w, w), (1 - w) * pair.a.centre + w * pair.b.centre, from, from + share);
+    } else if (convex) {
+      work.finish(convex->sum(1 - w, w), (1 - w) * pair.a.centre + w * pair.b.centre, from, from + share);
     } else {
       const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
                                         : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),

@@ -53,6 +53,13 @@ bool sameFile(const fs::path& a, const fs::path& b) {
   return fs::weakly_canonical(a, ec) == fs::weakly_canonical(b, ec);
 }
 
+void refuseInput(const fs::path& output, const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs)
+    if (!input.empty() && sameFile(output, input))
+      throw UsageError(fmt::format("The output {} would replace the input.", output.string()),
+                       "Choose another name for the output.");
+}
+
 Output planned(const FormatRegistry& formats, const fs::path& path) {
   if (path.empty()) throw UsageError("The name of an output is empty.", "Write -o and the name of a file.");
   Output output;
@@ -83,7 +90,10 @@ void checkFiles(const std::vector<Output>& outputs, const Shape& shape) {
     for (const ShapeKind kind : kindsInFiles(*output.format, shape, output.options))
       refuseUnlessStorable(*output.format, std::array{kind});
     for (const FileOfShape& file : filesOf(*output.format, shape, output.path, output.options))
-      if (file.path != output.path) checkPlace(file.path);
+      if (file.path != output.path) {
+        checkPlace(file.path);
+        refuseInput(file.path, output.inputs);
+      }
   }
 }
 
@@ -107,9 +117,8 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
   std::vector<Output> outputs;
   for (const std::string& path : paths) {
     Output output = planned(formats, path);
-    for (const fs::path& input : inputs)
-      if (!input.empty() && sameFile(output.path, input))
-        throw UsageError(fmt::format("The output {} would replace the input.", path), "Choose another name for the output.");
+    refuseInput(path, inputs);
+    output.inputs = inputs;
     for (const Output& other : outputs)
       if (sameFile(other.path, output.path))
         throw UsageError(fmt::format("The output {} is named twice.", path), "Name every file once.");

@@ -14,8 +14,9 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  bool chordGiven = false;  ///< the user has set the chord
-  ExportReport report{};    ///< set once the file is written; of the frames of a sequence, at the first
+  bool chordGiven = false;                      ///< the user has set the chord
+  std::vector<std::filesystem::path> inputs{};  ///< files that none of its frames may replace
+  ExportReport report{};                        ///< set once the file is written; of the frames of a sequence, at the first
 };
 
 /// Adds the warnings about written files, and the gouge measured in written programs to the measures.
@@ -32,8 +33,9 @@ std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std:
                                    const std::vector<std::filesystem::path>& inputs, const FormatFlags* flags);
 
 /// Writes a shape, and for .blossom files the document that made it with all its files. A sequence becomes several files in
-/// formats of one frame (see exchange/format/frames.h). Whether all formats can store the shape is checked before the first
-/// file is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
+/// formats of one frame (see exchange/format/frames.h). Whether all formats can store the shape, and that no frame replaces
+/// an input, is checked before the first file is written. @returns the files written. @throws Error OutputNotSupported,
+/// FileUnwritable, Cancelled; UsageError.
 std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
 
 /// The paths as printed by `--json`.

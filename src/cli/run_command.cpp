@@ -200,7 +200,8 @@ class RunCommand {
     std::vector<Output> outputs;
     std::vector<const Format*> used;
     for (const Export& each : exports) {
-      outputs.push_back(plannedOutputs(*invocation_.app.formats, {each.path}, {}, formats_.get()).front());
+      const auto inputs = isDocument(each.path) ? std::vector<std::filesystem::path>() : std::vector{file};
+      outputs.push_back(plannedOutputs(*invocation_.app.formats, {each.path}, inputs, formats_.get()).front());
       used.push_back(outputs.back().format);
     }
     formats_->refuseUnused(used);

@@ -31,6 +31,7 @@ class CliFilesTest : public QObject {
   void aStrangersFeatureStaysAStrangersInAnotherDocument();
   void aSavedDocumentTellsNoFolder();
   void resourcesAreNotWritten();
+  void framesReplaceNoInput();
 
  private:
   /// A roof of four rows of control points: of degree 1 along them, three rectangles of 30 by sqrt(10^2 + 5^2).
@@ -212,6 +213,22 @@ void CliFilesTest::resourcesAreNotWritten() {
   QVERIFY(over.message().find("belongs to Blossom") != std::string::npos);
   QCOMPARE(readFile(place("share/samples/bracket.blossom")), before);
   QVERIFY(!fs::exists(place("share/samples/new.stl")));
+}
+
+/// Frames of an earlier run are inputs of the next one; also by a link, and by an absolute path.
+void CliFilesTest::framesReplaceNoInput() {
+  QCOMPARE(blossom({"morph", "polygon:3:20", "star:5:24:9", "--frames", "3", "-o", "w.dxf"}).code, 0);
+  const std::string before = readFile(place("w-0002.dxf"));
+  fs::create_symlink("w-0002.dxf", place("link.dxf"));
+  const QString absolute = QString::fromStdString(place("w.dxf").string());
+  for (const auto& [input, output] : std::vector<std::pair<QString, QString>>{
+           {"w-0002.dxf", "w.dxf"}, {"./w-0002.dxf", absolute}, {"link.dxf", "w.dxf"}}) {
+    const test::Answer answer = blossom({"morph", input, "circle:1", "--frames", "3", "-o", output});
+    QCOMPARE(answer.code, 2);
+    QVERIFY(readFile(place("w-0002.dxf")) == before);
+  }
+  // Fewer frames reach none.
+  QCOMPARE(blossom({"morph", "w-0003.dxf", "circle:1", "--frames", "2", "-o", "w.dxf"}).code, 0);
 }
 
 BLOSSOM_TEST(CliFilesTest)

@@ -163,6 +163,12 @@ class MinkowskiCliTest : public QObject {
         {"morph", "circle:2", "circle:4", "--t", "1", "--sectors", R"([{"from": 0, "to": 0}, {"from": 0, "to": 180}])"});
     COMPARE_NEAR(half.result("area"), 8 * pi, 1e-9);
     QCOMPARE(half.result("lines"), 1.0);
+    // Too narrow to hold anything, and all around.
+    for (const char* narrow : {R"([{"from": 0, "to": 1e-9}])", R"([{"from": 90, "to": 90.0001}])"})
+      QCOMPARE(blossom({"morph", "circle:2", "circle:4", "--t", "0.5", "--sectors", narrow}).hint(),
+               std::string("Give a wider sector."));
+    const Answer all = blossom({"morph", "circle:2", "circle:4", "--t", "0.5", "--sectors", R"([{"from": 90, "to": 450}])"});
+    COMPARE_NEAR(all.result("area"), 9 * pi, 1e-9);
   }
 
   /// Radii are blended as numbers are: r (1-t1)(1-t2) + s (t1 + t2 - 2 t1 t2) + q t1 t2.

@@ -79,18 +79,28 @@ Path polygonAround(const Path& convex, double tolerance) {
   return polygon;
 }
 
+/// What encloses nothing with its chord.
+bool isStraight(const Path& chain, double tolerance) {
+  const Vec2 from = startPoint(chain), chord = endPoint(chain) - from;
+  const std::vector<Vec2> corners = flatten(chain, tolerance / 8);
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec2& p) {
+    const Vec2 off = p - from;
+    if (chord.norm() <= tolerance) return off.norm() <= tolerance;
+    return std::abs(chord.x() * off.y() - chord.y() * off.x()) <= tolerance * chord.norm();
+  });
+}
+
 }  // namespace
 
 SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::string& name, const Progress& progress) {
   SoundRegion hull = convexHull(shape, progress);
   const double width = inOneTurn(sector.to - sector.from);
-  if (width <= sameAngle || width >= fullTurn - sameAngle) return hull;
+  const bool allAround = std::min(width, fullTurn - width) <= sameAngle;
+  if (allAround && std::abs(sector.to - sector.from) > fullTurn / 2) return hull;
   const Path& around = hull.region.loops.front();
   const double from = inOneTurn(sector.from);
   Path chain = chainWithin(hasSplines(hull.region) ? polygonAround(around, shape.tolerance) : around, from, from + width);
-  const bool straight =
-      chain.segments.empty() || (chain.segments.size() == 1 && std::holds_alternative<Line2>(chain.segments.front()));
-  if (straight)
+  if (allAround || chain.segments.empty() || isStraight(chain, hull.tolerance))
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("Of {}, only a {} faces the directions from {:.4g} to {:.4g} degrees.", name,
                             chain.segments.empty() ? "corner" : "straight side", sector.from * 360 / fullTurn,

@@ -141,7 +141,7 @@ class EdgePile {
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     if (edges_.size() > maximumEdges)
       throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
-                  "Raise the tolerance, so that curves get fewer corners.");
+                  "Simplify the outlines; of curves, raise the tolerance so that they get fewer corners.");
     full_ = std::max(full_, 2 * edges_.size());
   }
 

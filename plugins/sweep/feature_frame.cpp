@@ -42,7 +42,7 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
   out.stats["spans_v"] = made.frameSpans;
   out.stats["poles_u"] = made.motion.orientation.countU();
   out.stats["poles_v"] = made.motion.orientation.countV();
-  out.stats["min_bend_radius"] = made.smallestBend;
+  if (made.smallestBend > 0) out.stats["min_bend_radius"] = made.smallestBend;  // a straight path has none
   out.stats["reach"] = made.reach;
   if (made.cornerAtEnds > 0)
     out.warnings.push_back(fmt::format(

@@ -206,6 +206,20 @@ class MeasureTest : public QObject {
         sphere.poles.emplace_back(around.x() * m.x(), around.y() * m.x(), around.z() * m.y(), around.z() * m.z());
     COMPARE_NEAR(measured<double>(measure(sphere), "area") / (4 * pi), 1, 1e-11);
   }
+  /// A weight of its own only moves parameters along a ruling: most of the area comes to lie in a strip as thin as its
+  /// share.
+  void areaInAThinStrip() {
+    for (const double weight : {1e3, 1e5, 1e7}) {
+      Surface cylinder{2, 2, circleKnots, {0, 0, 0, 1, 1, 1}, {}};
+      for (const Vec3& around : circlePoles(0, 1))
+        for (const double z : {0.0, 2.0, 4.0}) {
+          const double w = z == 2 ? weight : 1;
+          cylinder.poles.emplace_back(w * around.x(), w * around.y(), w * around.z() * z, w * around.z());
+        }
+      COMPARE_NEAR(measured<double>(measure(cylinder), "area") / (8 * pi), 1, 1e-9);
+    }
+  }
+
   /// All that is left of x_v is rounding noise, which no quartering makes smaller: it took minutes.
   void surfaceThatCollapsesToACurveHasNoArea() {
     constexpr std::size_t spans = 24;

@@ -58,6 +58,25 @@ class SweepUnreachedTest : public QObject {
         pull(readMotionOf("cylinder.json"), {{middle, middle}, {{15, 0, 20}, {15, 0, 20}}, {0, 0, 1}}).obstacles.empty());
   }
 
+  /// Rotation could turn the place, but a pin or a copy holds the poles: neither axes nor shares are to blame.
+  void whatHoldsAPlaceIsNamed() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const MotionPlace at{0.125, 0.5};
+    MotionPull pinned{{at}, {{20, 15, 20}}};
+    pinned.pins = {at};
+    const EditResult held = pull(motion, pinned);
+    QVERIFY(says(held, Unreached::Pinned));
+    QVERIFY(!says(held, Unreached::FrameAxis));
+    MotionPull mirrored{{{0, 0.5}}, {{9, 9, 24}}};
+    mirrored.symmetry.mirror = true;
+    const EditResult copied = pull(motion, mirrored);
+    QVERIFY(says(copied, Unreached::Symmetry));
+    QVERIFY(!says(copied, Unreached::FrameAxis));
+    const EditResult close = pull(motion, {{at, {0.1250001, 0.5}}, {{20, 15, 20}, {5, 5, 20}}});
+    QVERIFY(says(close, Unreached::TooClose));
+    QVERIFY(!says(close, Unreached::FrameAxis));
+  }
+
   void rotationKeepsTheRadius() {
     const EditResult result = pullMiddle({0, 25, 20}, {0, 1, 0});
     QVERIFY(says(result, Unreached::Radius));

@@ -155,12 +155,22 @@ void requireNonVanishing(const Surface& orientation, const Progress& progress) {
   if (std::all_of(orientation.poles.begin(), orientation.poles.end(), [](const Vec4& pole) { return pole.isZero(0); }))
     throw Error(ErrorCode::Degenerate, "All orientation poles of this motion are zero: there is no rotation.",
                 "Give unit quaternions.");
-  if (const auto place = vanishingPlace(orientation, progress))
+  const auto place = vanishingPlace(orientation, progress);
+  if (!place) return;
+  const auto [shortest, longest] = std::minmax_element(orientation.poles.begin(), orientation.poles.end(),
+                                                       [](const Vec4& a, const Vec4& b) { return a.norm() < b.norm(); });
+  if (shortest->norm() > 0 && shortest->norm() < 10 * nearZero * longest->norm())
     throw Error(
         ErrorCode::Degenerate,
-        fmt::format("The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
-                    place->u, place->v),
-        "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
+        fmt::format("The orientation poles of this motion differ too much in length: near u = {:.4g}, v = {:.4g} the "
+                    "shortest, {:.2g} of the longest, cannot be told from zero.",
+                    place->u, place->v, shortest->norm() / longest->norm()),
+        "Bring the quaternions to lengths that are alike.");
+  throw Error(
+      ErrorCode::Degenerate,
+      fmt::format("The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
+                  place->u, place->v),
+      "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
 }
 
 }  // namespace blossom::sweep

@@ -206,7 +206,7 @@ TwoIntegrals sumOverSpans(const Breaks& breaks, const F& integral) {
 }
 
 TwoIntegrals absoluteFor(const Element& element, const Breaks& breaks, const Rectangle& r) {
-  const double estimate = sumOverSpans(breaks, [&](const Rectangle& span) { return gaussSum(element, span, 4); })(0);
+  const double estimate = sumOverSpans(breaks, [&](const Rectangle& span) { return gaussSum(element, span, 4, 4); })(0);
   return {1e-11 * estimate + 1e-300, 1e-11 * estimate * element.distance(r) + 1e-300};
 }
 

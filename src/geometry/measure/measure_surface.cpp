@@ -54,7 +54,7 @@ double surfaceArea(const Surface& surface, const Progress& progress) {
     });
     return std::accumulate(areas.begin(), areas.end(), 0.0);
   };
-  const double estimate = everySpan(progress, [&](const Rectangle& span) { return gaussSum(element, span, 4)(0); });
+  const double estimate = everySpan(progress, [&](const Rectangle& span) { return gaussSum(element, span, 4, 4)(0); });
   const TwoIntegrals absolute(1e-11 * estimate + noiseOfArea(surface), 1);
   return everySpan(progress, [&](const Rectangle& span) { return integrate(element, span, absolute)(0); });
 }

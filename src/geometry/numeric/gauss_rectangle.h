@@ -14,31 +14,47 @@ struct Rectangle {
 };
 
 template <class F>
-TwoIntegrals gaussSum(const F& f, const Rectangle& r, std::size_t n) {
-  const GaussRule rule = gaussRule(n);
+TwoIntegrals gaussSum(const F& f, const Rectangle& r, std::size_t countU, std::size_t countV) {
+  const GaussRule ruleU = gaussRule(countU), ruleV = gaussRule(countV);
   TwoIntegrals sum(0, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      sum += rule.weights[i] * rule.weights[j] *
-             TwoIntegrals(f(r.u0 + (r.u1 - r.u0) * rule.nodes[i], r.v0 + (r.v1 - r.v0) * rule.nodes[j]));
+  for (std::size_t i = 0; i < countU; ++i)
+    for (std::size_t j = 0; j < countV; ++j)
+      sum += ruleU.weights[i] * ruleV.weights[j] *
+             TwoIntegrals(f(r.u0 + (r.u1 - r.u0) * ruleU.nodes[i], r.v0 + (r.v1 - r.v0) * ruleV.nodes[j]));
   return sum * ((r.u1 - r.u0) * (r.v1 - r.v0));
 }
 
-/// Adaptive tensor-product Gauss quadrature: a rectangle is quartered until the rules with 10 and 14 nodes per side agree
-/// within `absolute`. Along a kink the division stops after `depth` levels, where the remaining share is about 4^-depth.
+/// How often a rectangle may be divided on: along a kink across both sides, where the share that remains is about
+/// 4^-quarters, and along one side alone, where most of an integral may lie in a thin strip.
+struct Divisions {
+  int quarters = 7, halves = 40;
+};
+
+/// Adaptive tensor-product Gauss quadrature: a rectangle is divided until the rules with 10 and 14 nodes per side agree
+/// within `absolute`, along one side only where that is the one on which they differ.
 template <class F>
-TwoIntegrals integrate(const F& f, const Rectangle& r, const TwoIntegrals& absolute, int depth = 7) {
-  const TwoIntegrals coarse = gaussSum(f, r, 10);
-  TwoIntegrals fine = gaussSum(f, r, 14);
-  // Values that are not finite end the quartering, because quarters of them would differ forever.
-  if (depth == 0 || !((fine - coarse).abs() > absolute).any() || !fine.allFinite()) return fine;
-  const double u = (r.u0 + r.u1) / 2;
-  const double v = (r.v0 + r.v1) / 2;
-  TwoIntegrals sum(0, 0);
-  for (const Rectangle& part :
-       {Rectangle{r.u0, u, r.v0, v}, Rectangle{u, r.u1, r.v0, v}, Rectangle{r.u0, u, v, r.v1}, Rectangle{u, r.u1, v, r.v1}})
-    sum += integrate(f, part, absolute, depth - 1);
-  return sum;
+TwoIntegrals integrate(const F& f, const Rectangle& r, const TwoIntegrals& absolute, Divisions left = {}) {
+  constexpr std::size_t few = 10, many = 14;
+  const TwoIntegrals coarse = gaussSum(f, r, few, few), fine = gaussSum(f, r, many, many);
+  const auto differs = [&](const TwoIntegrals& other) { return ((fine - other).abs() > absolute).any(); };
+  // Values that are not finite end the division, because parts of them would differ forever.
+  if (!differs(coarse) || !fine.allFinite()) return fine;
+  const double u = (r.u0 + r.u1) / 2, v = (r.v0 + r.v1) / 2;
+  const bool alongU = differs(gaussSum(f, r, few, many)), alongV = differs(gaussSum(f, r, many, few));
+  const auto sumOf = [&](const auto& parts, const Divisions& then) {
+    TwoIntegrals sum(0, 0);
+    for (const Rectangle& part : parts) sum += integrate(f, part, absolute, then);
+    return sum;
+  };
+  if (alongU != alongV && left.halves > 0) {
+    const std::array halves = alongU ? std::array{Rectangle{r.u0, u, r.v0, r.v1}, Rectangle{u, r.u1, r.v0, r.v1}}
+                                     : std::array{Rectangle{r.u0, r.u1, r.v0, v}, Rectangle{r.u0, r.u1, v, r.v1}};
+    return sumOf(halves, {left.quarters, left.halves - 1});
+  }
+  if (left.quarters == 0) return fine;
+  return sumOf(std::array{Rectangle{r.u0, u, r.v0, v}, Rectangle{u, r.u1, r.v0, v}, Rectangle{r.u0, u, v, r.v1},
+                          Rectangle{u, r.u1, v, r.v1}},
+               {left.quarters - 1, left.halves});
 }
 
 }  // namespace blossom

@@ -193,7 +193,7 @@ EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& l
       continue;
     }
     for (const Unreached why : place.obstacles) tell(why);
-    if (place.obstacles.empty()) tell(together_ ? shared : otherwise);
+    if (place.obstacles.empty()) tell(together_ || otherwise == Unreached::TooClose ? shared : otherwise);
   }
   return std::move(result_);
 }

@@ -80,8 +80,11 @@ class Pull {
     });
   }
 
-  void scale(double share) {
+  /// @param turnedFully rotation has done all it can: where it could turn a place, poles that others share are to blame for
+  /// the direction that is left, not the axes of the frame
+  void scale(double share, bool turnedFully) {
     edit_.changeScaling([&](EditPlace& place) -> Vec4 {
+      const bool couldTurn = turnedFully && place.obstacles.empty();
       const Motion& motion = edit_.motion();
       const Vec3 x = pointAt(place), to = x + share * (toOf(place) - x) - centreAt(place);
       const Vec4 s = evaluate(motion.scaling, place.at.u, place.at.v);
@@ -90,7 +93,7 @@ class Pull {
       for (Eigen::Index k = 0; k < 3; ++k) {
         if (std::abs(motion.point[k]) > noComponent * motion.point.cwiseAbs().maxCoeff())
           change[k] = s[3] * y[k] / motion.point[k] - s[k];
-        else if (std::abs(y[k]) > allowed())
+        else if (std::abs(y[k]) > allowed() && !couldTurn)
           addOnce(place, Unreached::FrameAxis);
       }
       return change;
@@ -135,7 +138,7 @@ EditResult pull(const Motion& motion, const MotionPull& options, const Progress&
   Pull edit(motion, options, progress);
   if (weights.translate > 0) edit.translate(weights.translate);
   if (weights.rotate > 0) edit.rotate(weights.rotate);
-  if (weights.scale > 0) edit.scale(weights.scale);
+  if (weights.scale > 0) edit.scale(weights.scale, weights.rotate == 1);
   return edit.finished(weights.rotate > 0 && weights.scale == 0);
 }
 

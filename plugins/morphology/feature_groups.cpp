@@ -2,30 +2,30 @@
 
 #include <algorithm>
 
-#include "isolate/in_worker.h"
-
 namespace blossom::morphology {
 
 namespace {
 
 const char* wayOf(const MorphologyStats& stats) {
-  if (stats.prisms) return "prisms";
-  return stats.way == Way::Nef ? "nef" : "corefined";
+  switch (stats.way) {
+    case Way::Prisms:
+      return "prisms";
+    case Way::Hulls:
+      return "hulls";
+    case Way::Planes:
+      return "planes";
+    case Way::Arranged:
+      break;
+  }
+  return "arranged";
 }
 
 Value statsOf(const MorphologyStats& stats) {
-  return {{"parts_a", stats.partsA},     {"parts_b", stats.partsB},
-          {"pairs", stats.pairs},        {"candidates", stats.candidates},
-          {"check_ms", stats.checkMs},   {"decompose_ms", stats.decomposeMs},
-          {"sum_ms", stats.sumMs},       {"unite_ms", stats.uniteMs},
-          {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
+  return {{"candidates", stats.candidates}, {"check_ms", stats.checkMs},   {"sum_ms", stats.sumMs},
+          {"unite_ms", stats.uniteMs},      {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
 }
 
 }  // namespace
-
-FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity) {
-  return inWorker(make(Way::Corefined), {.activity = std::move(activity), .rival = make(Way::Nef).evaluate});
-}
 
 Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& times) {
   Evaluated out;

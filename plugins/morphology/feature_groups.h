@@ -1,6 +1,4 @@
 #pragma once
-#include <functional>
-
 #include "feature/registry.h"
 #include "kernel/morphology.h"
 
@@ -10,10 +8,6 @@ void registerBall(Registry&);
 void registerSums(Registry&);
 void registerMorph(Registry&);
 void registerGrowth(Registry&);
-
-/// Evaluated in a worker, for exact arithmetic cannot poll: the way that `make` makes it for the first, and beside it for
-/// the second when that takes long.
-FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity);
 
 /// The solids as one mesh, or as a sequence when `times` is not empty.
 Evaluated evaluatedFrom(MorphologyResult, const std::vector<double>& times = {});

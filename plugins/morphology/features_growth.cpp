@@ -62,7 +62,7 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
   });
 }
 
-FeatureType inflateFeature(Way way) {
+FeatureType inflateFeature() {
   return growth({"morphology.inflate",
                  "Inflate",
                  "A solid grown by a ball: every point within the radius of it.",
@@ -70,9 +70,7 @@ FeatureType inflateFeature(Way way) {
                  "inflate",
                  {"blossom inflate part.stl --radius 2 -o grown.stl",
                   "blossom inflate bracket.step --radius 1 --subdivisions 2 --fit circumscribed -o grown.off --json"}},
-                [way](const Operand& a, const GrowOptions& options, const Progress& progress) {
-                  return inflated(a, options, progress, way);
-                });
+                inflated);
 }
 
 FeatureType meltFeature() {
@@ -83,13 +81,14 @@ FeatureType meltFeature() {
        "Depth by which it melts.",
        "melt",
        {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj"}},
-      [](const Operand& a, const GrowOptions& options, const Progress& progress) { return melted(a, options, progress); });
+      melted);
 }
 
 }  // namespace
 
 void registerGrowth(Registry& registry) {
-  registry.addAll(inWorkers(inflateFeature, "for the inflating"), inWorker(meltFeature(), {.activity = "for the melting"}));
+  registry.addAll(inWorker(inflateFeature(), {.activity = "for the inflating"}),
+                  inWorker(meltFeature(), {.activity = "for the melting"}));
 }
 
 }  // namespace blossom::morphology

@@ -1,4 +1,5 @@
 #include "feature_groups.h"
+#include "isolate/in_worker.h"
 #include "kernel/control.h"
 
 namespace blossom::morphology {
@@ -26,7 +27,7 @@ ParameterSpec unitCurve() {
   return spec;
 }
 
-Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress, Way way) {
+Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
   const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first solid", true}, progress);
   const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second solid", true}, progress);
   const std::vector<double> times = p.frames > 0 ? frameTimes(p.frames) : std::vector<double>{p.t};
@@ -34,12 +35,12 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
   std::vector<double> weights;
   weights.reserve(times.size());
   for (const double t : times) weights.push_back(controlValue(p.control, points, t));
-  Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress, way), p.frames > 0 ? times : std::vector<double>());
+  Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress), p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = weights;
   return out;
 }
 
-FeatureType morphFeature(Way way) {
+FeatureType morphFeature() {
   using P = MorphParameters;
   const std::vector<ShapeKind> kinds{ShapeKind::Mesh, ShapeKind::Brep};
   return feature<P>("morphology.solid-morph", "Solid morph",
@@ -67,12 +68,11 @@ FeatureType morphFeature(Way way) {
       .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
       .example("blossom solid-morph a.step b.step --frames 9 --control ease -o frame.obj")
       .example("blossom solid-morph a.stl b.stl --frames 5 --control curve --curve 0:0,0.5:0.9,1:1 -o frame.off")
-      .evaluate(
-          [way](const P& p, const Inputs& inputs, const Progress& progress) { return morphed(p, inputs, progress, way); });
+      .evaluate(morphed);
 }
 
 }  // namespace
 
-void registerMorph(Registry& registry) { registry.add(inWorkers(morphFeature, "for the morph")); }
+void registerMorph(Registry& registry) { registry.add(inWorker(morphFeature(), {.activity = "for the morph"})); }
 
 }  // namespace blossom::morphology

@@ -24,7 +24,7 @@ Evaluated combined(const PairOperation& operation, bool solidFirst, const SumPar
   return evaluatedFrom(operation(a, b, progress));
 }
 
-FeatureType sumFeature(Way way) {
+FeatureType sumFeature() {
   using P = SumParameters;
   return feature<P>("morphology.solid-sum", "Solid sum",
                     "The space that one solid covers while its origin moves over the other.")
@@ -44,11 +44,8 @@ FeatureType sumFeature(Way way) {
       .example("blossom solid-sum part.stl ball:2 -o grown.stl")
       .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
       .example("blossom solid-sum part.stl segment:0:0:20 -o swept.obj")
-      .evaluate([way](const P& p, const Inputs& inputs, const Progress& progress) {
-        const auto sum = [way](const Operand& a, const Operand& b, const Progress& part) {
-          return solidSum(a, b, part, way);
-        };
-        return combined(sum, false, p, inputs, progress);
+      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+        return combined(solidSum, false, p, inputs, progress);
       });
 }
 
@@ -117,7 +114,7 @@ FeatureType closeFeature() {
 }  // namespace
 
 void registerSums(Registry& registry) {
-  registry.addAll(inWorkers(sumFeature, "for the sum"), differenceFeature(), openFeature(), closeFeature());
+  registry.addAll(inWorker(sumFeature(), {.activity = "for the sum"}), differenceFeature(), openFeature(), closeFeature());
 }
 
 }  // namespace blossom::morphology

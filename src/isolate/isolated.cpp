@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include "core/file.h"
-#include "isolate/race.h"
 #include "results/evaluated_transport.h"
 #include "transport/shape_transport.h"
 #include "worker/worker.h"
@@ -78,43 +77,23 @@ Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs
   return made;
 }
 
-std::string rivalCall(const FeatureType& type) { return type.id + ":rival"; }
-
-/// One of the ways, in one child. The time its kernel took is in the statistics as "kernel_ms".
-Evaluated evaluateInWorker(const std::string& call, const FeatureType& type, const WorkerOptions& options,
-                           const Value& parameters, const Inputs& inputs, const Progress& progress) {
+/// In one child. The time its kernel took is in the statistics as "kernel_ms".
+Evaluated evaluateInWorker(const FeatureType& type, const WorkerOptions& options, const Value& parameters,
+                           const Inputs& inputs, const Progress& progress) {
   const TemporaryFolder folder;
   const Value arguments{{"parameters", parameters}, {"inputs", savedInputs(type, inputs, folder.path())}};
-  const Value answer = runInWorker(call, arguments, folder.path(), progress, options);
+  const Value answer = runInWorker(type.id, arguments, folder.path(), progress, options);
   Evaluated made = loadEvaluated(answer.at("made"), folder.path());
   made.shape = namedLike(made.shape, type, inputs);
   made.stats["kernel_ms"] = answer.at("kernel_ms");
   return made;
 }
 
-std::uintmax_t halfOfTheMemory() {
-  return static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(::sysconf(_SC_PAGESIZE)) / 2;
-}
-
-Evaluated fastestWay(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
-                     const Inputs& inputs, const Progress& progress) {
-  const WorkerOptions options{.activity = isolation.activity, .module = isolation.module};
-  const Attempt own = [&](const Progress& part) {
-    return evaluateInWorker(type.id, type, options, parameters, inputs, part);
-  };
-  if (!isolation.rival) return own(progress);
-  const Attempt other = [&](const Progress& part) {
-    WorkerOptions limited = options;
-    limited.memory = halfOfTheMemory();
-    return evaluateInWorker(rivalCall(type), type, limited, parameters, inputs, part);
-  };
-  return firstOf(own, other, isolation.headStart, progress);
-}
-
-Evaluated evaluateInWorkers(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
-                            const Inputs& inputs, const Progress& progress) {
+Evaluated evaluateTimed(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
+                        const Inputs& inputs, const Progress& progress) {
   const auto start = Clock::now();
-  Evaluated made = fastestWay(type, isolation, parameters, inputs, progress);
+  const WorkerOptions options{.activity = isolation.activity, .module = isolation.module};
+  Evaluated made = evaluateInWorker(type, options, parameters, inputs, progress);
   const double kernelMs = made.stats.at("kernel_ms");
   made.stats.erase("kernel_ms");
   made.stats["worker_ms"] = millisecondsSince(start) - kernelMs;
@@ -128,16 +107,11 @@ FeatureType isolated(FeatureType type, IsolationOptions options) {
   registerWorkerCall(type.id, [direct](const Value& arguments, const fs::path& folder, const Progress& progress) {
     return serve(direct, arguments, folder, progress);
   });
-  if (options.rival)
-    registerWorkerCall(rivalCall(type),
-                       [rival = options.rival](const Value& arguments, const fs::path& folder, const Progress& progress) {
-                         return serve(rival, arguments, folder, progress);
-                       });
   FeatureType made = type;
   made.evaluate = [type = std::move(type), options = std::move(options)](const Value& parameters, const Inputs& inputs,
                                                                          const Progress& progress) {
     if (options.when && !options.when(parameters, inputs)) return type.evaluate(parameters, inputs, progress);
-    return evaluateInWorkers(type, options, parameters, inputs, progress);
+    return evaluateTimed(type, options, parameters, inputs, progress);
   };
   return made;
 }

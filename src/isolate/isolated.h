@@ -12,10 +12,6 @@ struct IsolationOptions {
   std::filesystem::path module{};  ///< the plugin's own module, from `moduleOf(&anchor)`
   /// Limits it to evaluations that are worth a process: its first call costs 50 to 100 ms, the next ones a few; empty: all.
   std::function<bool(const Value& parameters, const Inputs&)> when{};
-  /// Another way to the same result, tried beside the first in a second child when that takes longer than `headStart`; the
-  /// first result wins (see race.h). Empty: none. The second child may take half of the machine's memory.
-  FeatureType::Evaluate rival{};
-  double headStart = 0.1;  ///< seconds
 };
 
 /// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may

@@ -3,7 +3,7 @@
 qtest "crossings of meshes against every pair in rational numbers" "$build/tests/bin/geometry_mesh_crossing_test"
 qtest "5: dents of 5e-11 stay; results cross nowhere, snapped or refused where rounding makes them" "$build/tests/bin/morphology_rounding_test"
 qtest "6: results that touch along edges and in corners as operands; places and names of complaints" "$build/tests/bin/morphology_touching_test"
-qtest "7: two ways side by side: the first result wins, no child is left over" "$build/tests/bin/morphology_race_test"
+qtest "7: walls in common planes: counted cells, CGAL, complements" "$build/tests/bin/morphology_arrangement_test"
 qtest "solid pairs against CGAL::minkowski_sum_3" "$build/tests/bin/morphology_cgal_test" "BLOSSOM_SOLID_PAIRS=300"
 at_least "  pairs" "$(figure morphology_cgal_test cgal_pairs)" 300
 at_most "  largest relative difference of volumes" "$(figure morphology_cgal_test cgal_error)" 1e-9

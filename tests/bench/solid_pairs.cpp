@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "support/exchange.h"
 #include "support/morphology.h"
 #include "support/run_apart.h"
+#include "support/solid_peer.h"
 #include "support/timing.h"
 
 using namespace blossom;
@@ -45,7 +47,12 @@ std::vector<Pair> pairs(const std::filesystem::path& folder) {
                                                                                {"gear20", "gear8"},
                                                                                {"grate", "grate"},
                                                                                {"gear8", "ico80"},
-                                                                               {"torus256", "ico80"}})
+                                                                               {"torus256", "ico80"},
+                                                                               {"torus256", "torus96"},
+                                                                               {"torus1024", "ico320"},
+                                                                               {"bumpy320", "ico80"},
+                                                                               {"bumpy1280", "ico80"},
+                                                                               {"gear8", "bumpy320"}})
       all.push_back({fmt::format("{} + {}", a, b), solid(a), solid(b)});
   all.push_back({"ball:5:4 + ball:2:4", ballOf(5, 4), ballOf(2, 4)});
   all.push_back({"ball:5:2 + ball:2:2", ballOf(5, 2), ballOf(2, 2)});
@@ -53,10 +60,9 @@ std::vector<Pair> pairs(const std::filesystem::path& folder) {
   return all;
 }
 
-Run timedSum(const Pair& pair, Way way) {
+Run timed(const std::function<Mesh()>& sum) {
   Run run;
-  run.seconds = secondsOf(
-      [&] { run.volume = volumeOf(solidSum(bodyOf(pair.a), bodyOf(pair.b), Progress::none(), way).solids.front()); });
+  run.seconds = secondsOf([&] { run.volume = volumeOf(sum()); });
   return run;
 }
 
@@ -72,8 +78,9 @@ int main(int argc, char** argv) {
   const std::string asked = argc > 2 ? argv[2] : "";
   for (const Pair& pair : pairs(folder)) {
     if (pair.name.find(asked) == std::string::npos) continue;
-    const auto ours = runApart([&] { return timedSum(pair, Way::Corefined); }, patience),
-               cgal = runApart([&] { return timedSum(pair, Way::Nef); }, patience);
+    const Mesh a = triangulated(pair.a).first, b = triangulated(pair.b).first;
+    const auto ours = runApart([&] { return timed([&] { return solidSumOf(pair.a, pair.b); }); }, patience),
+               cgal = runApart([&] { return timed([&] { return sumByNef(a, b); }); }, patience);
     fmt::print("  {:<24}{}   CGAL {}", pair.name, milliseconds(ours), milliseconds(cgal));
     if (ours) fmt::print("   {:8.1f} times", (cgal ? cgal->seconds : patience) / ours->seconds);
     if (ours && cgal && std::abs(ours->volume - cgal->volume) > 1e-9 * cgal->volume)

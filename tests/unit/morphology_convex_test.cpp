@@ -1,7 +1,7 @@
 /// Corners of sums of convex polyhedra, against the hull of all pairs of corners.
 #include "core/stopwatch.h"
 #include "morphology/kernel/convex/convex_sum.h"
-#include "morphology/kernel/exact.h"
+#include "morphology/kernel/convex/hull.h"
 #include "support/morphology.h"
 #include "support/support.h"
 
@@ -10,11 +10,6 @@ using namespace blossom::test;
 using namespace blossom::morphology;
 
 namespace {
-
-/// The hull as triangles about its corners.
-Mesh hullMesh(const std::vector<Vec3>& points) {
-  return triangulated(rounded(hull(points), Vec3::Zero(), Progress::none())).first;
-}
 
 std::vector<Vec3> allSums(const Mesh& a, const Mesh& b) {
   std::vector<Vec3> sums;
@@ -45,7 +40,7 @@ Mesh convexOfKind(std::mt19937_64& random, int kind) {
   if (kind % 6 == 2) points = cuboid({-1, -2, -0.5}, {1, 0.5, 3}).points;
   if (kind % 6 == 3) points = turnedBy(cuboid({-1, -2, -0.5}, {1, 0.5, 3}), randomTurn(random)).points;
   if (kind % 6 == 4) points = prism({{0, 0}, {2, 0}, {3, 1}, {1, 3}}, 0, 1 + std::abs(any(random))).points;
-  return hullMesh(points);
+  return hullTriangles(points);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ class MorphologyConvexTest : public QObject {
       const Mesh a = convexOfKind(random, round), b = convexOfKind(random, round / 6);
       const auto pairs = cornersOfSum(a, b);
       const std::vector<Vec3> corners = sumsAt(a, b, pairs);
-      const Mesh whole = hullMesh(allSums(a, b)), found = hullMesh(corners);
+      const Mesh whole = hullTriangles(allSums(a, b)), found = hullTriangles(corners);
       COMPARE_NEAR(volumeOf(found), volumeOf(whole), 1e-10 * volumeOf(whole));
       COMPARE_NEAR(area(found), area(whole), 1e-10 * area(whole));
       QVERIFY(pairs.size() <= a.points.size() * b.points.size());
@@ -72,7 +67,7 @@ class MorphologyConvexTest : public QObject {
     std::mt19937_64 random = seededRandom();
     for (int round = 0; round < 60; ++round) {
       const Mesh a = convexOfKind(random, 1), b = convexOfKind(random, 6 * round);
-      QCOMPARE(cornersOfSum(a, b).size(), hullMesh(allSums(a, b)).points.size());
+      QCOMPARE(cornersOfSum(a, b).size(), hullTriangles(allSums(a, b)).points.size());
     }
   }
 

@@ -207,8 +207,4 @@ Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress
               "Move the shapes nearer to the origin, or leave out details that are too small for their size.");
 }
 
-Finished finished(const Solid& solid, const Vec3& centre, const Progress& progress) {
-  return finished(rounded(solid, Vec3::Zero(), progress), centre, progress);
-}
-
 }  // namespace blossom::morphology

@@ -2,7 +2,8 @@
 #include <string>
 
 #include "core/progress.h"
-#include "kernel/exact.h"
+#include "core/vector.h"
+#include "geometry/mesh/mesh.h"
 
 namespace blossom::morphology {
 
@@ -12,13 +13,10 @@ struct Finished {
   std::string warning;  ///< when corners had to be moved by more than rounding
 };
 
-/// The solid as polygons: coplanar triangles are joined, vertices inside straight edges removed (see joinedFacesFlatness).
-/// Where rounding makes faces intersect, fewer are joined; where they still do, corners are rounded to coarser and coarser
-/// grids. The same solid always results in the same mesh, however it was triangulated.
+/// Closed, oriented triangles about `centre` as polygons: coplanar triangles are joined, vertices inside straight edges
+/// removed (see joinedFacesFlatness). Where rounding makes faces intersect, fewer are joined; where they still do, corners
+/// are rounded to coarser and coarser grids. The same solid always results in the same mesh, however it was triangulated.
 /// @throws Error Degenerate with the place when faces intersect on every grid, Internal, Cancelled.
-Finished finished(const Solid&, const Vec3& centre, const Progress&);
-
-/// The same for closed, oriented triangles about `centre`.
 Finished finished(const Mesh& triangles, const Vec3& centre, const Progress&);
 
 }  // namespace blossom::morphology

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
+#include <tuple>
 
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/numeric/union_find.h"
@@ -14,27 +16,41 @@ namespace blossom::morphology {
 
 namespace {
 
+using EdgeEnds = std::pair<int, int>;  // the lower vertex first
+
 struct Side {
+  EdgeEnds edge;
   int face;
   std::size_t corner;  ///< index in faceVertices where the half-edge starts
   std::size_t next;    ///< where it ends
   bool forward;        ///< from the lower vertex to the higher
 };
 
-using EdgeSides = std::map<std::pair<int, int>, std::vector<Side>>;
-
-EdgeSides sidesOf(const Mesh& mesh) {
-  EdgeSides sides;
+/// Sorted by their edges, those of one edge in the order of the faces.
+std::vector<Side> sidesOf(const Mesh& mesh) {
+  std::vector<Side> sides;
+  sides.reserve(mesh.faceVertices.size());
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto start = static_cast<std::size_t>(mesh.faceStarts[f]);
     const auto face = mesh.face(f);
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::size_t next = (k + 1) % face.size();
       const int a = face[k], b = face[next];
-      sides[{std::min(a, b), std::max(a, b)}].push_back({static_cast<int>(f), start + k, start + next, a < b});
+      sides.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(f), start + k, start + next, a < b});
     }
   }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return std::tie(a.edge, a.corner) < std::tie(b.edge, b.corner); });
   return sides;
+}
+
+/// Calls `visit(sides)` for every edge.
+template <class Visit>
+void forEachEdge(std::span<const Side> sides, const Visit& visit) {
+  for (std::size_t from = 0, to = 0; from < sides.size(); from = to) {
+    while (to < sides.size() && sides[to].edge == sides[from].edge) ++to;
+    visit(sides.subspan(from, to - from));
+  }
 }
 
 /// Sorts the faces round an edge by the direction in which they leave it.
@@ -58,10 +74,8 @@ class Round {
 };
 
 /// Clockwise of a face that runs forwards along the edge lies the inside, up to the next face that runs backwards.
-std::vector<std::pair<Side, Side>> wedges(const Mesh& mesh, const std::pair<int, int>& edge,
-                                          const std::vector<Side>& sides) {
-  if (sides.size() == 2) return {{sides[0], sides[1]}};
-  const Round round(mesh, edge.first, edge.second);
+std::vector<std::pair<Side, Side>> wedges(const Mesh& mesh, std::span<const Side> sides) {
+  const Round round(mesh, sides[0].edge.first, sides[0].edge.second);
   std::vector<std::pair<double, Side>> sorted;
   for (const Side& side : sides) sorted.emplace_back(round.angle(side), side);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -85,14 +99,16 @@ std::vector<std::pair<Side, Side>> wedges(const Mesh& mesh, const std::pair<int,
 
 Mesh manifoldOf(const Mesh& mesh, const Progress& progress) {
   UnionFind corners(mesh.faceVertices.size());
-  for (const auto& [edge, sides] : sidesOf(mesh)) {
+  const auto unite = [&](const Side& a, const Side& b) {
+    if (a.forward == b.forward) return;
+    corners.unite(a.corner, b.next);
+    corners.unite(a.next, b.corner);
+  };
+  forEachEdge(sidesOf(mesh), [&](std::span<const Side> sides) {
+    if (sides.size() == 2) return unite(sides[0], sides[1]);
     progress.check();
-    for (const auto& [a, b] : wedges(mesh, edge, sides)) {
-      if (a.forward == b.forward) continue;
-      corners.unite(a.corner, b.next);
-      corners.unite(a.next, b.corner);
-    }
-  }
+    for (const auto& [a, b] : wedges(mesh, sides)) unite(a, b);
+  });
   Mesh result;
   result.name = mesh.name;
   result.color = mesh.color;
@@ -113,19 +129,20 @@ Mesh manifoldOf(const Mesh& mesh, const Progress& progress) {
 namespace {
 
 /// Edges of more than two faces, each with the vertex for its middle, which is one of the result's.
-std::map<std::pair<int, int>, int> middlesOfSharedEdges(const Mesh& mesh, std::vector<Vec3>& points) {
-  std::map<std::pair<int, int>, int> middles;
-  for (const auto& [edge, sides] : sidesOf(mesh)) {
-    if (sides.size() <= 2) continue;
-    middles[edge] = static_cast<int>(points.size());
+std::map<EdgeEnds, int> middlesOfSharedEdges(const Mesh& mesh, std::vector<Vec3>& points) {
+  std::map<EdgeEnds, int> middles;
+  forEachEdge(sidesOf(mesh), [&](std::span<const Side> sides) {
+    if (sides.size() <= 2) return;
+    const auto [low, high] = sides[0].edge;
+    middles[sides[0].edge] = static_cast<int>(points.size());
     const auto at = [&](int v) { return points[static_cast<std::size_t>(v)]; };
-    points.emplace_back((at(edge.first) + at(edge.second)) / 2);
-  }
+    points.emplace_back((at(low) + at(high)) / 2);
+  });
   return middles;
 }
 
 /// Cuts a triangle at the first of its edges that has a middle, and what comes of it at the others.
-void addCut(std::array<int, 3> t, const std::map<std::pair<int, int>, int>& middles, Mesh& result) {
+void addCut(std::array<int, 3> t, const std::map<EdgeEnds, int>& middles, Mesh& result) {
   for (int k = 0; k < 3; ++k) {
     const auto found = middles.find({std::min(t[0], t[1]), std::max(t[0], t[1])});
     if (found != middles.end()) {

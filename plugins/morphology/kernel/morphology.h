@@ -13,24 +13,21 @@
 /// Operands are rounded to a grid of 2^-44 of their size, then all is computed in exact arithmetic, except that bends too
 /// small to be distinguished from that rounding are ignored (see flatness.h). The corners of results are rounded to doubles,
 /// and an exact test for intersections of faces follows. Solids are regular closed sets: parts without volume are left out.
-/// They may touch themselves in common vertices and edges. Two prisms along one axis of the coordinates are added by their
-/// sections (kernel/prisms/prism.h); another solid with r reflex edges has O(r^2) convex parts, which are added pair by pair
-/// and united.
+/// They may touch themselves in common vertices and edges.
 namespace blossom::morphology {
 
-/// Two algorithms for the same sum; which is faster depends on the operands.
+/// How a result was made; all ways give the same solid.
 enum class Way {
-  Corefined,  ///< sums of convex parts (joined where possible), united by corefinement of their surfaces
-  Nef         ///< CGAL::minkowski_sum_3; both operands must be solids
+  Prisms,    ///< two prisms along one axis of the coordinates, by their sections (kernel/prisms/prism.h)
+  Hulls,     ///< convex solids, by the overlay of their Gauss maps (kernel/convex/convex_sum.h)
+  Planes,    ///< a convex solid, whose planes were moved inwards (kernel/convex/hull.h)
+  Arranged,  ///< any others, by an arrangement of facets (kernel/arrangement/arranged_sum.h)
 };
 
 struct MorphologyStats {
-  Way way = Way::Corefined;            ///< algorithm of the last sum
-  bool prisms = false;                 ///< no sum of solids was needed: the sections of two prisms were added
-  std::size_t partsA = 0, partsB = 0;  ///< convex parts of both; for a difference, of the outside of the first
-  std::size_t pairs = 0;               ///< number of pairs of parts that were added
-  std::size_t candidates = 0;          ///< facets of the sums of pairs before the union
-  double checkMs = 0, decomposeMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;
+  Way way = Way::Arranged;     ///< of the last frame
+  std::size_t candidates = 0;  ///< facets that may bound the sums
+  double checkMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;
 };
 
 /// Closed, oriented polygons; coplanar faces are joined.
@@ -41,7 +38,7 @@ struct MorphologyResult {
 };
 
 /// A + B = {a + b} (Definition 5). @throws Error InvalidInput, Degenerate when it has no volume, LimitExceeded, Cancelled.
-MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none(), Way = Way::Corefined);
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
 /// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this definition
 /// makes A - B the inverse of A + B for a translation. @throws Error as solidSum; Degenerate when nothing is left.
@@ -54,7 +51,7 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
 
 /// (1 - w) A + w B for every weight w in 0..1 (Definition 9, w = f(t)); A itself at 0, B itself at 1. Both are solids.
 MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
-                            const Progress& = Progress::none(), Way = Way::Corefined);
+                            const Progress& = Progress::none());
 
 struct GrowOptions {
   std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 for the solid itself
@@ -63,7 +60,7 @@ struct GrowOptions {
 };
 
 /// A + ball (section 3.2).
-MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none(), Way = Way::Corefined);
+MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
 /// A - ball. The paper writes A + tB here too, but means the difference. Ends before the first radius at which nothing is
 /// left, with a warning. @throws Error Degenerate when nothing is left at the first radius.
 MorphologyResult melted(const Operand& a, const GrowOptions&, const Progress& = Progress::none());

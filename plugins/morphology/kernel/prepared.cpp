@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/convex/hull.h"
 #include "kernel/flatness.h"
 #include "kernel/solid_check.h"
 
@@ -48,6 +50,40 @@ Mesh hullOfConvex(const Mesh& triangles) {
   return std::abs(added) <= tolerance * area(triangles) ? hull : Mesh();
 }
 
+Bounds boundsOfPoints(const std::vector<Vec3>& points) {
+  Bounds bounds;
+  for (const Vec3& p : points) bounds.add(p);
+  return bounds;
+}
+
+using PlacedTriangle = std::array<std::array<double, 3>, 3>;
+
+/// By the places of their corners, each from its lowest on.
+std::vector<PlacedTriangle> sortedTriangles(const Mesh& mesh) {
+  std::vector<PlacedTriangle> triangles;
+  triangles.reserve(mesh.faceCount());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    PlacedTriangle t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.points[static_cast<std::size_t>(mesh.face(f)[k])];
+      t[k] = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.push_back(t);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+/// Whether triangles are those of their hull: so they are closed, oriented and cross nowhere, without further checks.
+bool isHull(const Mesh& mesh) {
+  const std::size_t count = mesh.faceCount();
+  if (count < 4 || mesh.faceVertices.size() != 3 * count || count + 4 != 2 * mesh.points.size()) return false;
+  const Mesh hull = hullTriangles(mesh.points);
+  if (hull.faceCount() != count) return false;
+  return sortedTriangles(mesh) == sortedTriangles(hull);
+}
+
 }  // namespace
 
 CommonGrid gridFor(const Bounds& a, const Bounds& b) {
@@ -62,28 +98,29 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   result.centre = snapped(box.center(), grid.step);
   const auto local = [&](const Vec3& p) { return snapped(p - result.centre, grid.step); };
   if (operand.form != Operand::Form::Body) {
-    std::vector<std::vector<Vec3>> pieces = operand.pieces;
-    for (auto& piece : pieces)
+    result.pieces = operand.pieces;
+    for (auto& piece : result.pieces)
       for (Vec3& p : piece) result.bounds.add(p = local(p));
-    result.pieces = piecesOf(pieces);
     return result;
   }
   Mesh mesh = operand.mesh;
   for (Vec3& p : mesh.points) p = local(p);
+  refuseUnusable(mesh, {operand.name, result.centre});
+  if (isHull(mesh)) {
+    result.bounds = boundsOfPoints(mesh.points);
+    result.prisms = prismsOf(mesh, grid.step, progress);
+    result.hull = result.triangles = std::move(mesh);
+    return result;
+  }
   CheckedSolid checked = checkedSolid(mesh, {operand.name, result.centre}, progress);
   // What is left of crossings then lies between bodies, and has a warning.
   result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);
-  for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
+  result.bounds = boundsOfPoints(checked.triangles.points);
   if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, grid.step, progress);
   result.hull = hullOfConvex(checked.triangles);
-  result.solid = result.hull.faceCount() > 0 ? convexSolid(result.hull)
-                                             : exactSolid(checked.triangles, {operand.name, result.centre}, progress);
+  result.triangles = result.hull.faceCount() > 0 ? result.hull : std::move(checked.triangles);
   return result;
-}
-
-Parts partsOf(const Prepared& operand, const Progress& progress) {
-  return operand.solid ? convexParts(operand.solid, progress) : operand.pieces;
 }
 
 }  // namespace blossom::morphology

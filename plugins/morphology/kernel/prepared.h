@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/exact.h"
+#include "geometry/mesh/mesh.h"
 #include "kernel/operand.h"
 #include "kernel/prisms/prism.h"
 
@@ -11,12 +11,12 @@ namespace blossom::morphology {
 /// An operand relative to its own centre and rounded to the grid of the operation, so that sums of coordinates are exact in
 /// doubles and positions far from the origin lose no digits.
 struct Prepared {
-  Solid solid;                ///< nullptr for other forms
-  Parts pieces;               ///< of other forms
-  Mesh hull;                  ///< a convex solid as triangles; of others without faces
-  std::vector<Prism> prisms;  ///< the solid as those, where its bodies do not meet
-  bool bodiesMeet = false;    ///< bodies of the solid overlap, or touch outside common vertices and edges
-  Bounds bounds;              ///< relative to `centre`
+  Mesh triangles;  ///< a solid, oriented; bodies that meet are not made one. Without faces for other forms
+  std::vector<std::vector<Vec3>> pieces;  ///< other forms: triangles, segments or points
+  Mesh hull;                              ///< a convex solid as triangles; of others without faces
+  std::vector<Prism> prisms;              ///< the solid as those, where its bodies do not meet
+  bool bodiesMeet = false;                ///< bodies of the solid overlap, or touch outside common vertices and edges
+  Bounds bounds;                          ///< relative to `centre`
   Vec3 centre = Vec3::Zero();
   std::string name;
   std::vector<std::string> warnings;
@@ -30,8 +30,5 @@ CommonGrid gridFor(const Bounds& a, const Bounds& b);
 
 /// @throws Error InvalidInput for a mesh that is no solid, see checkedSolid.
 Prepared prepared(const Operand&, const CommonGrid&, const Progress&);
-
-/// The convex parts of a solid, or the pieces of another form.
-Parts partsOf(const Prepared&, const Progress&);
 
 }  // namespace blossom::morphology

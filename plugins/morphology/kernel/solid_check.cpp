@@ -5,8 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
@@ -20,9 +21,20 @@ namespace {
 
 constexpr double farthest = 1e9;  // mm
 
+struct NumbersHash {
+  template <class Numbers>
+  std::size_t operator()(const Numbers& numbers) const {
+    std::size_t sum = 0;
+    for (const auto number : numbers)
+      sum = (std::rotl(sum, 5) ^ std::hash<typename Numbers::value_type>()(number)) * 0x9E3779B97F4A7C15ULL;
+    return sum;
+  }
+};
+
 /// Faces that use the same place use the same vertex, and no face uses one twice in a row.
 Mesh withSharedPoints(const Mesh& mesh, const Progress& progress) {
-  std::map<std::array<double, 3>, int> seen;
+  std::unordered_map<std::array<double, 3>, int, NumbersHash> seen;
+  seen.reserve(mesh.points.size());
   std::vector<int> first;
   for (const Vec3& p : mesh.points) {  // + 0.0: there is one zero only
     if (first.size() % 4096 == 0) progress.check();
@@ -50,7 +62,8 @@ std::vector<int> fromLowest(std::vector<int> face) {
 
 /// Bodies that share a whole face are one body: the face and its counterpart, which looks back at it, enclose nothing.
 Mesh withoutInnerWalls(const Mesh& mesh, const Progress& progress) {
-  std::map<std::vector<int>, std::vector<std::size_t>> waiting;  // for their counterparts
+  std::unordered_map<std::vector<int>, std::vector<std::size_t>, NumbersHash> waiting;  // for their counterparts
+  waiting.reserve(mesh.faceCount());
   std::vector<bool> inner(mesh.faceCount());
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     if (f % 4096 == 0) progress.check();

@@ -2,28 +2,35 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <tuple>
 
 namespace blossom::morphology {
 
 NormalCones::NormalCones(const Mesh& triangles)
     : points_(triangles.points), inside_(points_.size(), Vec3::Zero()), around_(points_.size()) {
-  std::map<std::pair<int, int>, int> faceBeside;  // of directed edges, the face to their left
+  struct Half {
+    int from, to, face;  // the face to its left
+  };
+  std::vector<Half> halves;
+  halves.reserve(3 * triangles.faceCount());
   for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
     const auto face = triangles.face(f);
     normals_.push_back((point(face[1]) - point(face[0])).cross(point(face[2]) - point(face[0])).normalized());
     for (std::size_t k = 0; k < 3; ++k) {
-      faceBeside[{face[k], face[(k + 1) % 3]}] = static_cast<int>(f);
+      halves.push_back({face[k], face[(k + 1) % 3], static_cast<int>(f)});
       around_[static_cast<std::size_t>(face[k])].push_back(face[(k + 1) % 3]);
       inside_[static_cast<std::size_t>(face[k])] += normals_.back();
     }
   }
   for (Vec3& normal : inside_) normal.normalize();
-  for (const auto& [ends, left] : faceBeside) {
-    if (ends.first > ends.second) continue;
-    edges_.push_back({ends.first, ends.second, left, faceBeside.at({ends.second, ends.first})});
-  }
+  // Both halves of an edge come together, that from the lower corner first.
+  std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
+    return std::tuple(std::min(a.from, a.to), std::max(a.from, a.to), a.from) <
+           std::tuple(std::min(b.from, b.to), std::max(b.from, b.to), b.from);
+  });
+  edges_.reserve(halves.size() / 2);
+  for (std::size_t k = 0; k + 1 < halves.size(); k += 2)
+    edges_.push_back({halves[k].from, halves[k].to, halves[k].face, halves[k + 1].face});
 }
 
 int NormalCones::highest(const Vec3& direction, int from) const {

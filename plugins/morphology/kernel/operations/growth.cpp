@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "kernel/ball.h"
 #include "kernel/morphology.h"
-#include "kernel/operations/eroder.h"
+#include "kernel/operations/erosion.h"
 #include "kernel/operations/work.h"
 
 namespace blossom::morphology {
@@ -30,18 +29,18 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
   const double largest = largestOf(options.radii);
   const Operand widest = ballOperand(largest > 0 ? largest : 1, options);
   const CommonGrid grid = gridFor(a.bounds(), widest.bounds());
-  const Prepared solid = work.prepare(a, grid, 0, 0.1);
+  const Prepared solid = work.united(work.prepare(a, grid, 0, 0.08), grid, 0.08, 0.1);
   const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, options.radii.size()));
   double from = 0.1;
   for (std::size_t k = 0; k < options.radii.size(); ++k, from += share) {
     const double radius = options.radii[k];
     if (!(radius > 0)) {
-      work.finish(solid, from, from + share);
+      work.finish(solid, grid, from, from + share);
       continue;
     }
-    Prepared element = prepared(ballOperand(radius, options), grid, Progress::none());
-    const Solid made = step(solid, element, grid, from, from + 0.9 * share);
-    if (isEmpty(made)) {
+    const Prepared element = prepared(ballOperand(radius, options), grid, Progress::none());
+    const Mesh made = step(solid, element, grid, from, from + 0.9 * share);
+    if (made.faceCount() == 0) {
       if (k == 0 || (k == 1 && !(options.radii[0] > 0) && options.radii.size() == 2))
         nothingLeft(a, "Choose a smaller radius.");
       work.warn(fmt::format("Nothing is left from a radius of {:.6g} mm on; the sequence ends after {} frames.", radius, k));
@@ -53,25 +52,20 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
 
 }  // namespace
 
-MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Progress& progress, Way way) {
+MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Progress& progress) {
   Work work(progress);
-  Parts parts;
   eachRadius(work, a, options,
-             [&](const Prepared& solid, const Prepared& element, const CommonGrid&, double from, double to) {
-               if (way == Way::Nef) return work.nefSum(solid, 1, element, 1, from, to);
-               if (!parts) parts = work.apart(solid, from, from + 0.2 * (to - from));
-               return work.sum(parts, partsOf(element, Progress::none()), from + 0.2 * (to - from), to);
+             [&](const Prepared& solid, const Prepared& element, const CommonGrid& grid, double from, double to) {
+               return work.sum(solid, 1, element, 1, grid, from, to);
              });
   return work.result();
 }
 
 MorphologyResult melted(const Operand& a, const GrowOptions& options, const Progress& progress) {
   Work work(progress);
-  std::optional<Eroder> eroder;
   eachRadius(work, a, options,
              [&](const Prepared& solid, const Prepared& element, const CommonGrid& grid, double from, double to) {
-               if (!eroder) eroder.emplace(work, solid.solid, solid.bounds);
-               return eroder->by(partsOf(element, Progress::none()), element.bounds, grid.step, from, to);
+               return eroded(work, solid, element, grid, from, to);
              });
   return work.result();
 }

@@ -5,20 +5,14 @@
 
 #include "core/error.h"
 #include "kernel/convex/convex_sum.h"
+#include "kernel/convex/hull.h"
 #include "kernel/morphology.h"
-#include "kernel/operations/eroder.h"
+#include "kernel/operations/erosion.h"
 #include "kernel/operations/work.h"
 
 namespace blossom::morphology {
 
 namespace {
-
-Bounds plus(const Bounds& a, const Bounds& b) {
-  Bounds sum;
-  sum.add(a.low + b.low);
-  sum.add(a.high + b.high);
-  return sum;
-}
 
 constexpr const char* smallerElement = "Choose a smaller second shape.";
 
@@ -31,6 +25,13 @@ Pair prepare(Work& work, const Operand& a, const Operand& b) {
   const CommonGrid grid = gridFor(a.bounds(), b.bounds());
   Pair pair{grid, work.prepare(a, grid, 0, 0.05), {}};
   pair.b = work.prepare(b, grid, 0.05, 0.1);
+  return pair;
+}
+
+/// The same where the first is melted, for which its bodies must not meet.
+Pair prepareUnited(Work& work, const Operand& a, const Operand& b) {
+  Pair pair = prepare(work, a, b);
+  pair.a = work.united(std::move(pair.a), pair.grid, 0.08, 0.1);
   return pair;
 }
 
@@ -62,6 +63,7 @@ class ConvexSums {
   ConvexSums(const Pair& pair, Work& work) : a_(pair.a.hull), b_(pair.b.hull), work_(work) {
     Stopwatch watch;
     corners_ = cornersOfSum(a_, b_, work.progress());
+    work_.stats().way = Way::Hulls;
     work_.stats().sumMs += watch.lapMs();
   }
 
@@ -70,8 +72,6 @@ class ConvexSums {
     Stopwatch watch;
     Mesh made = hullTriangles(pointsOfSum(a_, weightA, b_, weightB, corners_));
     MorphologyStats& stats = work_.stats();
-    stats.partsA = stats.partsB = 1;
-    ++stats.pairs;
     stats.candidates += made.faceCount();
     stats.sumMs += watch.lapMs();
     return made;
@@ -83,12 +83,22 @@ class ConvexSums {
   std::vector<std::array<int, 2>> corners_;
 };
 
-void refuseFlatSum(const Solid& sum) {
-  if (isEmpty(sum))
+Mesh withVolume(Mesh sum) {
+  if (sum.faceCount() == 0)
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");
+  return sum;
 }
 
+/// weightA a + weightB b of shapes of any kind.
+Mesh sumOf(Work& work, const Pair& pair, double weightA, double weightB, double from, double to) {
+  return withVolume(work.sum(pair.a, weightA, pair.b, weightB, pair.grid, from, to));
+}
+
+Mesh leftOf(Mesh left, const Operand& a) {
+  if (left.faceCount() == 0) nothingLeft(a, smallerElement);
+  return left;
+}
 Prism leftOf(std::optional<Prism> left, const Operand& a) {
   if (!left) nothingLeft(a, smallerElement);
   return *std::move(left);
@@ -96,60 +106,41 @@ Prism leftOf(std::optional<Prism> left, const Operand& a) {
 
 }  // namespace
 
-MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress, Way way) {
-  if (way == Way::Nef) {
-    requireSolid(a);
-    requireSolid(b);
-  }
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress) {
   Work work(progress);
   const Pair pair = prepare(work, a, b);
   const Vec3 centre = pair.a.centre + pair.b.centre;
   const auto ofPrisms = [](const Prism& p, const Prism& q, const Progress& part) { return sum(p, q, part); };
-  if (way != Way::Nef && finishedAsPrisms(work, pair, centre, ofPrisms)) return work.result();
-  if (way != Way::Nef && areConvex(pair)) {
-    work.finish(ConvexSums(pair, work).sum(1, 1), centre, 0.3, 1);
-    return work.result();
-  }
-  const auto byParts = [&] {
-    const Parts partsA = work.apart(pair.a, 0.1, 0.2), partsB = work.apart(pair.b, 0.2, 0.3);
-    return work.sum(partsA, partsB, 0.3, 0.95);
-  };
-  const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1, pair.b, 1, 0.1, 0.95) : byParts();
-  refuseFlatSum(sum);
-  work.finish(sum, centre, 0.95, 1);
+  if (finishedAsPrisms(work, pair, centre, ofPrisms)) return work.result();
+  const Mesh sum = areConvex(pair) ? ConvexSums(pair, work).sum(1, 1) : sumOf(work, pair, 1, 1, 0.1, 0.9);
+  work.finish(sum, centre, 0.9, 1);
   return work.result();
 }
 
 MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
   Work work(progress);
-  const Pair pair = prepare(work, a, b);
+  const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
     return leftOf(difference(p, q, part), a);
   };
   if (finishedAsPrisms(work, pair, pair.a.centre - pair.b.centre, ofPrisms)) return work.result();
-  Eroder eroder(work, pair.a.solid, pair.a.bounds);
-  const Solid left = eroder.by(work.apart(pair.b, 0.1, 0.2), pair.b.bounds, pair.grid.step, 0.2, 0.95);
-  if (isEmpty(left)) nothingLeft(a, smallerElement);
-  work.finish(left, pair.a.centre - pair.b.centre, 0.95, 1);
+  const Mesh left = leftOf(eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.9), a);
+  work.finish(left, pair.a.centre - pair.b.centre, 0.9, 1);
   return work.result();
 }
 
 MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
   Work work(progress);
-  const Pair pair = prepare(work, a, b);
+  const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
     return sum(leftOf(difference(p, q, part.part(0, 0.5)), a), q, part.part(0.5, 1));
   };
   if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
-  const Parts partsB = work.apart(pair.b, 0.1, 0.15);
-  Eroder eroder(work, pair.a.solid, pair.a.bounds);
-  const Solid left = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.15, 0.5);
-  if (isEmpty(left)) nothingLeft(a, smallerElement);
-  const Prepared core = work.asOperand(left, minus(pair.a.bounds, pair.b.bounds), pair.grid, 0.5, 0.55);
-  const Solid opened = work.sum(work.apart(core, 0.55, 0.6), partsB, 0.6, 0.95);
-  work.finish(opened, pair.a.centre + core.centre, 0.95, 1);
+  const Mesh left = leftOf(eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.5), a);
+  const Prepared core = work.asOperand(left, a.name, pair.grid, 0.5, 0.55);
+  work.finish(work.sum(core, 1, pair.b, 1, pair.grid, 0.55, 0.9), pair.a.centre + core.centre, 0.9, 1);
   return work.result();
 }
 
@@ -166,48 +157,34 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
     return *std::move(closed);
   };
   if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
-  const Parts partsA = work.apart(pair.a, 0.1, 0.15), partsB = work.apart(pair.b, 0.15, 0.2);
-  const Solid sum = work.sum(partsA, partsB, 0.2, 0.6);
-  const Prepared grown = work.asOperand(sum, plus(pair.a.bounds, pair.b.bounds), pair.grid, 0.6, 0.65);
-  Eroder eroder(work, grown.solid, grown.bounds);
-  const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.65, 0.95);
-  requireClosed(isEmpty(closed));
-  work.finish(closed, pair.a.centre + grown.centre, 0.95, 1);
+  const Prepared grown = work.asOperand(sumOf(work, pair, 1, 1, 0.1, 0.5), a.name, pair.grid, 0.5, 0.55);
+  const Mesh closed = eroded(work, grown, pair.b, pair.grid, 0.55, 0.9);
+  requireClosed(closed.faceCount() == 0);
+  work.finish(closed, pair.a.centre + grown.centre, 0.9, 1);
   return work.result();
 }
 
-MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights, const Progress& progress,
-                            Way way) {
+MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
+                            const Progress& progress) {
   requireSolid(a);
   requireSolid(b);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  const auto between = [](double w) { return w > 0 && w < 1; };
-  const auto prisms = way == Way::Nef ? std::nullopt : asPrisms(pair);
+  const auto prisms = asPrisms(pair);
   std::optional<ConvexSums> convex;
-  if (way != Way::Nef && !prisms && areConvex(pair)) convex.emplace(pair, work);
-  Parts partsA, partsB;
-  if (way == Way::Corefined && !prisms && !convex && std::any_of(weights.begin(), weights.end(), between)) {
-    partsA = work.apart(pair.a, 0.1, 0.15);
-    partsB = work.apart(pair.b, 0.15, 0.2);
-  }
-  const double share = 0.8 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
-  double from = 0.2;
+  if (!prisms && areConvex(pair)) convex.emplace(pair, work);
+  const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
+  double from = 0.1;
   for (const double w : weights) {
-    if (!between(w)) {
-      work.finish(w <= 0 ? pair.a : pair.b, from, from + share);
-    } else if (prisms) {
-      work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, from + 0.9 * share)),
-                  (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
-    } else if (convex) {
-      work.finish(convex->sum(1 - w, w), (1 - w) * pair.a.centre + w * pair.b.centre, from, from + share);
-    } else {
-      const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
-                                        : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),
-                                                   from, from + 0.9 * share);
-      work.finish(sum, (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
-    }
-    from += share;
+    const double most = from + 0.9 * share, to = from + share;
+    const Vec3 centre = (1 - w) * pair.a.centre + w * pair.b.centre;
+    if (w <= 0 || w >= 1)
+      work.finish(w <= 0 ? pair.a : pair.b, pair.grid, from, to);
+    else if (prisms)
+      work.finish(sum(scaled(prisms->a, 1 - w), scaled(prisms->b, w), progress.part(from, most)), centre, most, to);
+    else
+      work.finish(convex ? convex->sum(1 - w, w) : sumOf(work, pair, 1 - w, w, from, most), centre, most, to);
+    from = to;
   }
   return work.result();
 }

@@ -2,12 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
-#include "kernel/united.h"
+#include "kernel/self_crossing.h"
 
 namespace blossom::morphology {
+
+namespace {
+
+/// On the grid, without triangles that have no area there.
+Mesh scaledWithoutDegenerate(const Prepared& operand, double factor, const CommonGrid& grid) {
+  Mesh scaled = operand.triangles;
+  for (Vec3& p : scaled.points)
+    for (Eigen::Index k = 0; k < 3; ++k) p[k] = grid.step * std::nearbyint(factor * p[k] / grid.step);
+  return withoutDegenerate(scaled, {operand.name});
+}
+
+}  // namespace
+
+Term termOf(const Prepared& operand, double factor) { return {operand.triangles, operand.pieces, factor}; }
 
 Prepared Work::prepare(const Operand& operand, const CommonGrid& grid, double from, double to) {
   Stopwatch watch;
@@ -17,80 +32,62 @@ Prepared Work::prepare(const Operand& operand, const CommonGrid& grid, double fr
   return made;
 }
 
-Parts Work::apart(const Prepared& operand, double from, double to) {
-  Stopwatch watch;
-  progress_.report(from, "Taking apart");
-  Parts parts = partsOf(operand, progress_.part(from, to));
-  stats_.decomposeMs += watch.lapMs();
-  return parts;
-}
-
-Parts Work::outside(const Solid& solid, const Bounds& frame, double from, double to) {
-  Stopwatch watch;
-  progress_.report(from, "Taking apart");
-  Parts parts = convexPartsOutside(solid, frame, progress_.part(from, to));
-  stats_.decomposeMs += watch.lapMs();
-  return parts;
-}
-
-Solid Work::sum(const Parts& a, const Parts& b, double from, double to) {
-  stats_.partsA = partCount(a);
-  stats_.partsB = partCount(b);
-  SumCounts counts;
-  Solid made = sumOf(a, b, counts, progress_.part(from, to));
-  stats_.pairs += counts.pairs;
-  stats_.candidates += counts.candidates;
-  stats_.sumMs += counts.sumMs;
-  stats_.uniteMs += counts.uniteMs;
-  return made;
-}
-
-Solid Work::nefSum(const Prepared& a, double weightA, const Prepared& b, double weightB, double from, double to) {
-  Stopwatch watch;
-  stats_.way = Way::Nef;
-  Solid made = minkowskiSum(a.solid, weightA, b.solid, weightB, progress_.part(from, to));
-  stats_.sumMs += watch.lapMs();
-  return made;
-}
-
-Prepared Work::asOperand(const Solid& solid, const Bounds& bounds, const CommonGrid& grid, double from, double to) {
-  Prepared made;
-  made.solid = solid;
-  made.bounds = bounds;
-  if (isConvex(solid)) return made;
+Prepared Work::asOperand(const Mesh& triangles, const std::string& name, const CommonGrid& grid, double from, double to) {
   Operand rounded;
-  rounded.mesh = finished(solid, Vec3::Zero(), progress_.part(from, (from + to) / 2)).mesh;
-  try {
-    made = prepared(rounded, grid, progress_.part((from + to) / 2, to));
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::InvalidInput) throw;
-  }
+  rounded.name = name;
+  rounded.mesh = finished(triangles, Vec3::Zero(), progress_.part(from, (from + to) / 2)).mesh;
+  return prepared(rounded, grid, progress_.part((from + to) / 2, to));
+}
+
+Prepared Work::united(Prepared operand, const CommonGrid& grid, double from, double to) {
+  if (!operand.bodiesMeet) return operand;
+  Prepared made = asOperand(unitedBodies(operand, grid, from, (from + to) / 2), operand.name, grid, (from + to) / 2, to);
+  made.centre += operand.centre;
   return made;
 }
 
-void Work::finish(const Prepared& operand, double from, double to) {
-  finish(operand.bodiesMeet ? united(operand.solid) : operand.solid, operand.centre, from, to);
+Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double from, double to) {
+  static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
+  static const Mesh none;
+  return taken(arrangedSum(termOf(operand), {none, origin}, grid.step, progress_.part(from, to)), operand);
 }
 
-void Work::finish(const Solid& solid, const Vec3& centre, double from, double to) {
-  Stopwatch watch;
-  add(finished(solid, centre, progress_.part(from, to)), watch);
+Mesh Work::sum(const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid, double from,
+               double to) {
+  const Progress part = progress_.part(from, to);
+  if (auto made = arrangedSum(termOf(a, weightA), termOf(b, weightB), grid.step, part)) return taken(std::move(made), a);
+  // A weight near 0 leaves triangles without area: without them the solid is the same on the grid.
+  const Mesh small = scaledWithoutDegenerate(a, weightA, grid), other = scaledWithoutDegenerate(b, weightB, grid);
+  return taken(arrangedSum({small, a.pieces}, {other, b.pieces}, grid.step, part), weightA < weightB ? a : b);
+}
+
+Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
+  if (!made)
+    throw Error(ErrorCode::Degenerate, fmt::format("{} has faces that are too small beside the other shape.", operand.name),
+                "Leave out details that are too small for its size, or choose shapes of more similar size.");
+  stats_.way = Way::Arranged;
+  stats_.candidates += made->candidates;
+  stats_.sumMs += made->candidatesMs;
+  stats_.uniteMs += made->arrangementMs + made->cellsMs;
+  return std::move(made->triangles);
+}
+
+void Work::finish(const Prepared& operand, const CommonGrid& grid, double from, double to) {
+  if (!operand.bodiesMeet) return finish(operand.triangles, operand.centre, from, to);
+  finish(unitedBodies(operand, grid, from, (from + to) / 2), operand.centre, (from + to) / 2, to);
 }
 
 void Work::finish(const Mesh& triangles, const Vec3& centre, double from, double to) {
   Stopwatch watch;
-  add(finished(triangles, centre, progress_.part(from, to)), watch);
-}
-
-void Work::finish(const Prism& prism, const Vec3& centre, double from, double to) {
-  stats_.prisms = true;
-  finish(trianglesOf(prism, progress_.part(from, to)), centre, from, to);
-}
-
-void Work::add(Finished made, Stopwatch& watch) {
+  Finished made = finished(triangles, centre, progress_.part(from, to));
   solids_.push_back(std::move(made.mesh));
   if (!made.warning.empty()) warn(std::move(made.warning));
   stats_.outputMs += watch.lapMs();
+}
+
+void Work::finish(const Prism& prism, const Vec3& centre, double from, double to) {
+  stats_.way = Way::Prisms;
+  finish(trianglesOf(prism, progress_.part(from, to)), centre, from, to);
 }
 
 MorphologyResult Work::result() {

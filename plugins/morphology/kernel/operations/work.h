@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/progress.h"
 #include "core/stopwatch.h"
+#include "kernel/arrangement/arranged_sum.h"
 #include "kernel/finished.h"
 #include "kernel/morphology.h"
 #include "kernel/prepared.h"
@@ -17,19 +19,20 @@ class Work {
   explicit Work(const Progress& progress) : progress_(progress) {}
 
   [[nodiscard]] Prepared prepare(const Operand&, const CommonGrid&, double from, double to);
-  [[nodiscard]] Parts apart(const Prepared&, double from, double to);
-  [[nodiscard]] Parts outside(const Solid&, const Bounds& frame, double from, double to);
-  [[nodiscard]] Solid sum(const Parts& a, const Parts& b, double from, double to);
-  /// weightA a + weightB b of two solids.
-  [[nodiscard]] Solid nefSum(const Prepared& a, double weightA, const Prepared& b, double weightB, double from, double to);
+  /// A result as an operand, rounded as if it came from a file.
+  [[nodiscard]] Prepared asOperand(const Mesh& triangles, const std::string& name, const CommonGrid&, double from,
+                                   double to);
+  /// The operand with its bodies made one where they meet.
+  [[nodiscard]] Prepared united(Prepared, const CommonGrid&, double from, double to);
 
-  /// An exact result as an operand, rounded as if it came from a file: it has faces that are bent by less than rounding, and
-  /// every bend would be taken apart. As it is where rounding would make it cross itself.
-  [[nodiscard]] Prepared asOperand(const Solid&, const Bounds&, const CommonGrid&, double from, double to);
+  /// weightA a + weightB b, about the same sum of their centres. Weights above 0.
+  [[nodiscard]] Mesh sum(const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid&,
+                         double from, double to);
+  /// Adds the counters of an arrangement. @throws Error Degenerate that names the operand when there is none
+  [[nodiscard]] Mesh taken(std::optional<ArrangedSum>, const Prepared&);
 
   /// The operand as it is, its bodies made one where they meet.
-  void finish(const Prepared&, double from, double to);
-  void finish(const Solid&, const Vec3& centre, double from, double to);
+  void finish(const Prepared&, const CommonGrid&, double from, double to);
   /// Closed, oriented triangles.
   void finish(const Mesh&, const Vec3& centre, double from, double to);
   void finish(const Prism&, const Vec3& centre, double from, double to);
@@ -40,13 +43,16 @@ class Work {
   MorphologyStats& stats() { return stats_; }
 
  private:
-  void add(Finished, Stopwatch&);
+  [[nodiscard]] Mesh unitedBodies(const Prepared&, const CommonGrid&, double from, double to);
 
   const Progress& progress_;
   MorphologyStats stats_;
   std::vector<Mesh> solids_;
   std::vector<std::string> warnings_;
 };
+
+/// As it enters a sum.
+[[nodiscard]] Term termOf(const Prepared&, double factor = 1);
 
 /// @throws Error InvalidInput for an operand that has no volume.
 void requireSolid(const Operand&);

@@ -1,0 +1,213 @@
+#include "kernel/arrangement/arranged_sum.h"
+
+#include <map>
+
+#include "core/stopwatch.h"
+#include "kernel/arrangement/candidates.h"
+#include "kernel/arrangement/cells.h"
+#include "kernel/arrangement/meetings.h"
+#include "kernel/arrangement/membership.h"
+#include "kernel/arrangement/plane_map.h"
+
+namespace blossom::morphology {
+
+using namespace arrangement;
+
+namespace {
+
+/// The facets of one plane and where others meet them.
+struct Group {
+  std::vector<const Facet*> facets;
+  std::vector<const Meeting*> meetings;
+  std::vector<int> others;  ///< the other plane of each meeting
+};
+
+std::vector<Group> groupsByPlane(const std::vector<Facet>& facets, const std::vector<Meeting>& found, const Planes& planes) {
+  std::vector<Group> groups(planes.size());
+  const auto groupOf = [&](int facet) -> Group& {
+    return groups[static_cast<std::size_t>(facets[static_cast<std::size_t>(facet)].plane)];
+  };
+  for (const Facet& facet : facets) groups[static_cast<std::size_t>(facet.plane)].facets.push_back(&facet);
+  for (const Meeting& meeting : found)
+    for (const auto& [here, there] : {std::pair{meeting.first, meeting.second}, {meeting.second, meeting.first}}) {
+      groupOf(here).meetings.push_back(&meeting);
+      groupOf(here).others.push_back(facets[static_cast<std::size_t>(there)].plane);
+    }
+  return groups;
+}
+
+/// Tiles of all planes. Patch 0 stands for what has the sum on both sides.
+class Tiling {
+ public:
+  Tiling(Planes& planes, Points& points) : planes_(planes), points_(points) {}
+
+  void add(int plane, const Group& group) {
+    if (group.facets.size() == 1 && group.meetings.empty())
+      addWhole(*group.facets.front());
+    else if (!group.facets.empty())
+      addDivided(plane, group);
+  }
+
+  [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
+  [[nodiscard]] std::size_t patches() const { return static_cast<std::size_t>(patches_); }
+
+ private:
+  void addWhole(const Facet& facet) {
+    Tile tile{facet.plane, facet.sameWay, patches_++, {}, std::vector<bool>(facet.count, true)};
+    tile.corners.assign(facet.corners.begin(), facet.corners.begin() + static_cast<std::ptrdiff_t>(facet.count));
+    if (!facet.sameWay) std::reverse(tile.corners.begin(), tile.corners.end());
+    tiles_.push_back(std::move(tile));
+  }
+
+  void addDivided(int plane, const Group& group) {
+    PlaneMap map(plane, group.facets, planes_, points_);
+    for (std::size_t k = 0; k < group.meetings.size(); ++k)
+      map.cut(group.meetings[k]->from, group.meetings[k]->to, group.others[k]);
+    const PlaneMap::Divided divided = map.divided();
+    std::vector<int> patchOf(divided.covers.size(), 0);
+    for (std::size_t p = 0; p < patchOf.size(); ++p) {
+      const Cover& cover = divided.covers[p];
+      if ((cover.sameWay > 0) != (cover.otherWay > 0)) patchOf[p] = patches_++;
+    }
+    for (const PlaneMap::Piece& piece : divided.pieces) {
+      const auto patch = static_cast<std::size_t>(piece.patch);
+      const Cover& cover = divided.covers[patch];
+      if (cover.sameWay == 0 && cover.otherWay == 0) continue;
+      Tile tile{plane, cover.sameWay > 0, patchOf[patch], {}, {}};
+      tile.corners.assign(piece.corners.begin(), piece.corners.end());
+      tile.isCut.assign(piece.isCut.begin(), piece.isCut.end());
+      tiles_.push_back(std::move(tile));
+    }
+  }
+
+  Planes& planes_;
+  Points& points_;
+  std::vector<Tile> tiles_;
+  int patches_ = 1;
+};
+
+/// Points as the corners of a mesh: rounded to doubles, those that this makes equal as one.
+class RoundedCorners {
+ public:
+  RoundedCorners(Points& points, double step) : points_(points), step_(step), index_(points.size(), -1) {}
+
+  int of(int point) {
+    int& index = index_[static_cast<std::size_t>(point)];
+    if (index >= 0) return index;
+    const auto place = points_.nearest(point);
+    const auto [it, fresh] = byPlace_.try_emplace(place, static_cast<int>(corners_.size()));
+    if (fresh) corners_.push_back(step_ * Vec3(place[0], place[1], place[2]));
+    return index = it->second;
+  }
+  std::vector<Vec3> corners() { return std::move(corners_); }
+
+ private:
+  Points& points_;
+  double step_;
+  std::vector<int> index_;
+  std::map<std::array<double, 3>, int> byPlace_;
+  std::vector<Vec3> corners_;
+};
+
+/// Triangles of the tiles whose patches bound the sum, those of the space outside of it when it is `turned`.
+Mesh bounding(const std::vector<Tile>& tiles, const std::vector<bool>& bounds, Points& points, double step, bool turned) {
+  Mesh mesh;
+  RoundedCorners rounded(points, step);
+  for (const Tile& tile : tiles) {
+    if (!bounds[static_cast<std::size_t>(tile.patch)]) continue;
+    for (std::size_t k = 1; k + 1 < tile.corners.size(); ++k) {
+      std::array<int, 3> corners{rounded.of(tile.corners[0]), rounded.of(tile.corners[k]), rounded.of(tile.corners[k + 1])};
+      if (tile.sameWay == turned) std::swap(corners[1], corners[2]);
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) mesh.addFace(corners);
+    }
+  }
+  mesh.points = rounded.corners();
+  return mesh;
+}
+
+/// One shape, and its pieces when it is thin.
+struct Summand {
+  Features whole;
+  std::vector<Features> pieces;
+};
+
+std::optional<Summand> shapeOf(const Term& term, double step, bool insideOut = false) {
+  Summand shape;
+  if (term.triangles.faceCount() > 0) {
+    auto features = featuresOf(term.triangles, term.factor, step, insideOut);
+    if (!features) return std::nullopt;
+    shape.whole = *std::move(features);
+    return shape;
+  }
+  shape.whole = featuresOf(term.pieces, term.factor, step);
+  for (const auto& piece : term.pieces) shape.pieces.push_back(featuresOf({&piece, 1}, term.factor, step));
+  return shape;
+}
+
+/// Whether the sum of two thin pieces has volume: three of their edges point in independent directions.
+bool haveVolume(const Features& a, const Features& b) {
+  std::vector<Grid3> along;
+  for (const Features* piece : {&a, &b})
+    for (const auto& [from, to] : piece->outline)
+      along.push_back(piece->points[static_cast<std::size_t>(to)] - piece->points[static_cast<std::size_t>(from)]);
+  for (std::size_t i = 0; i < along.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        if (dot(cross(along[i], along[j]), along[k]) != 0) return true;
+  return false;
+}
+
+/// Behind the facets of two thin pieces there is their sum only when it has volume.
+std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, const Progress& progress) {
+  if (a.pieces.empty() || b.pieces.empty()) return candidates(a.whole, b.whole, planes, points, progress);
+  std::vector<Facet> all;
+  for (const Features& p : a.pieces)
+    for (const Features& q : b.pieces) {
+      if (!haveVolume(p, q)) continue;
+      const std::vector<Facet> more = candidates(p, q, planes, points, progress);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+  return all;
+}
+
+ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insideOut, const Progress& progress) {
+  Stopwatch watch;
+  Planes planes;
+  Points points(planes);
+  progress.report(0, "Pairing faces");
+  const std::vector<Facet> facets = facetsOf(a, b, planes, points, progress);
+  ArrangedSum made;
+  made.candidates = facets.size();
+  made.candidatesMs = watch.lapMs();
+  progress.report(0.2, "Cutting faces");
+  const std::vector<Meeting> found = meetings(facets, planes, points, progress);
+  const std::vector<Group> groups = groupsByPlane(facets, found, planes);
+  Tiling tiling(planes, points);
+  for (std::size_t p = 0; p < groups.size(); ++p) {
+    progress.check();
+    tiling.add(static_cast<int>(p), groups[p]);
+  }
+  made.arrangementMs = watch.lapMs();
+  progress.report(0.7, "Finding the outside");
+  const SumSpace space{Membership(a.whole, b.whole, insideOut, progress), !insideOut};
+  const std::vector<bool> bounds = boundingPatches(tiling.tiles(), tiling.patches(), planes, points, space, progress);
+  made.triangles = bounding(tiling.tiles(), bounds, points, step, insideOut);
+  made.cellsMs = watch.lapMs();
+  return made;
+}
+
+}  // namespace
+
+std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress& progress) {
+  const auto first = shapeOf(a, step), second = shapeOf(b, step);
+  if (!first || !second) return std::nullopt;
+  return arranged(*first, *second, step, false, progress);
+}
+
+std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress& progress) {
+  const auto first = shapeOf(a, step, true), second = shapeOf({b.triangles, b.pieces, -b.factor}, step);
+  if (!first || !second) return std::nullopt;
+  return arranged(*first, *second, step, true, progress);
+}
+
+}  // namespace blossom::morphology

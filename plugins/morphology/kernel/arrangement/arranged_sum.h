@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/mesh/mesh.h"
+
+namespace blossom::morphology {
+
+/// A shape times a factor, as it enters a sum: a solid, or what is thinner. @pre coordinates on the grid
+struct Term {
+  const Mesh& triangles;                      ///< closed, oriented; without faces: the pieces count
+  std::span<const std::vector<Vec3>> pieces;  ///< triangles, segments or points
+  double factor = 1;                          ///< not 0; below 0 the shape is mirrored in the origin
+};
+
+struct ArrangedSum {
+  Mesh triangles;              ///< closed and oriented; corners are rounded to doubles. Without faces: it has no volume
+  std::size_t candidates = 0;  ///< facets that may bound it
+  double candidatesMs = 0, arrangementMs = 0, cellsMs = 0;
+};
+
+/// a + b, without taking anything apart: the facets of the three families of the paper (section 2.2) are cut along each
+/// other in exact arithmetic, and those before which there is no sum are its boundary. Terms are scaled, then rounded to the
+/// grid: nothing where that leaves triangles without area. Bodies of a solid may overlap. Parts of the sum without volume
+/// are left out. O(n m) signs for pairs of features, O(k log k) for k facets that meet.
+/// @pre sums reach no further than 2^45 steps. @throws Error Cancelled.
+std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress&);
+
+/// {x : x + b inside a}: the complement of the sum of the complement of a solid and the mirrored b. @pre bodies of the solid
+/// do not overlap
+std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress&);
+
+}  // namespace blossom::morphology

@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "core/progress.h"
+#include "kernel/arrangement/features.h"
+#include "kernel/arrangement/points.h"
+
+namespace blossom::morphology::arrangement {
+
+/// Which features of two solids a facet of their sum is made of.
+enum class Family : std::uint8_t { CornerAndFace, FaceAndCorner, EdgeAndEdge };
+
+/// A convex polygon that may bound a sum. All of it lies in the sum, which continues behind it.
+struct Facet {
+  int plane = 0;
+  bool sameWay = true;  ///< outward is where the normal of the plane points to
+  Family family = Family::EdgeAndEdge;
+  std::array<int, 4> corners{};  ///< points, counter-clockwise from outside
+  std::size_t count = 3;         ///< of corners
+
+  [[nodiscard]] int corner(std::size_t k) const { return corners[k % count]; }
+};
+
+/// Facets that cover the boundary of a + b: a face of one at a corner of the other that its normal supports, and
+/// parallelograms of two convex edges whose common normal supports both (the paper's DHS test, on triangles). O(n m) tests
+/// of signs for n and m features. @throws Error Cancelled.
+std::vector<Facet> candidates(const Features& a, const Features& b, Planes&, Points&, const Progress&);
+
+}  // namespace blossom::morphology::arrangement

@@ -1,0 +1,126 @@
+#include "kernel/arrangement/meetings.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/numeric/box_tree.h"
+
+namespace blossom::morphology::arrangement {
+
+namespace {
+
+using Interval = std::array<int, 2>;  // two points of a line
+
+Box3 boxOf(const Facet& facet, const Points& points) {
+  Box3 box;
+  for (std::size_t k = 0; k < facet.count; ++k) {
+    const Grid3& p = points.grid(facet.corners[k]);
+    box.extend(Eigen::Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])));
+  }
+  return box;
+}
+
+/// Whether two convex polygons have a whole edge of both in common.
+bool shareEdge(const Facet& f, const Facet& g) {
+  for (std::size_t i = 0; i < f.count; ++i)
+    for (std::size_t j = 0; j < g.count; ++j) {
+      if (f.corner(i) == g.corner(j + 1) && f.corner(i + 1) == g.corner(j)) return true;
+      if (f.corner(i) == g.corner(j) && f.corner(i + 1) == g.corner(j + 1)) return true;
+    }
+  return false;
+}
+
+bool isCorner(const Facet& facet, int point) {
+  return std::find(facet.corners.begin(), facet.corners.begin() + static_cast<std::ptrdiff_t>(facet.count), point) !=
+         facet.corners.begin() + static_cast<std::ptrdiff_t>(facet.count);
+}
+
+class PairOfFacets {
+ public:
+  PairOfFacets(const Planes& planes, Points& points) : planes_(planes), points_(points) {}
+
+  [[nodiscard]] std::optional<Interval> common(const Facet& f, const Facet& g) {
+    if (f.plane == g.plane || shareEdge(f, g)) return std::nullopt;
+    const auto sidesOfF = sides(f, g.plane);
+    if (!sidesOfF) return std::nullopt;
+    const auto sidesOfG = sides(g, f.plane);
+    if (!sidesOfG) return std::nullopt;
+    const auto inF = section(f, *sidesOfF, g.plane), inG = section(g, *sidesOfG, f.plane);
+    if (!inF || !inG) return std::nullopt;
+    const auto both = overlap(*inF, *inG, planes_.line(f.plane, g.plane).axis);
+    if (both && (*both)[0] == (*both)[1] && isCorner(f, (*both)[0]) && isCorner(g, (*both)[0])) return std::nullopt;
+    return both;
+  }
+
+ private:
+  using Sides = std::array<int, 4>;
+
+  /// Of the corners; nothing when all lie on one side.
+  std::optional<Sides> sides(const Facet& facet, int plane) {
+    Sides sides{};
+    bool above = false, below = false;
+    bool on = false;
+    for (std::size_t k = 0; k < facet.count; ++k) {
+      sides[k] = points_.side(plane, facet.corners[k]);
+      above = above || sides[k] > 0;
+      below = below || sides[k] < 0;
+      on = on || sides[k] == 0;
+    }
+    if (!(above && below) && !on) return std::nullopt;
+    return sides;
+  }
+
+  /// What a facet has of another plane.
+  std::optional<Interval> section(const Facet& facet, const Sides& sides, int plane) {
+    Interval ends{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < facet.count && count < 2; ++k) {
+      const std::size_t l = (k + 1) % facet.count;
+      if (sides[k] == 0) {
+        ends[count++] = facet.corners[k];
+      } else if (sides[k] * sides[l] < 0) {
+        ends[count] = points_.onEdge(facet.corners[k], facet.corners[l], plane);
+        points_.note(ends[count++], facet.plane);
+      }
+    }
+    if (count == 0) return std::nullopt;
+    if (count == 1) ends[1] = ends[0];
+    return ends;
+  }
+
+  std::optional<Interval> overlap(Interval a, Interval b, std::size_t axis) {
+    if (points_.order(axis, a[0], a[1]) < 0) std::swap(a[0], a[1]);
+    if (points_.order(axis, b[0], b[1]) < 0) std::swap(b[0], b[1]);
+    const int from = points_.order(axis, a[0], b[0]) > 0 ? b[0] : a[0],
+              to = points_.order(axis, a[1], b[1]) < 0 ? b[1] : a[1];
+    if (points_.order(axis, from, to) < 0) return std::nullopt;
+    return Interval{from, to};
+  }
+
+  const Planes& planes_;
+  Points& points_;
+};
+
+}  // namespace
+
+std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& planes, Points& points,
+                              const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(facets.size());
+  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
+  std::vector<Meeting> found;
+  PairOfFacets pair(planes, points);
+  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
+    if (const auto common = pair.common(facets[i], facets[j])) {
+      for (const int end : *common) {
+        points.note(end, facets[i].plane);
+        points.note(end, facets[j].plane);
+      }
+      found.push_back({(*common)[0], (*common)[1], static_cast<int>(i), static_cast<int>(j)});
+    }
+    return true;
+  });
+  return found;
+}
+
+}  // namespace blossom::morphology::arrangement

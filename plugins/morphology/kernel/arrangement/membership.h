@@ -1,0 +1,31 @@
+#pragma once
+#include "core/progress.h"
+#include "geometry/numeric/box_tree.h"
+#include "kernel/arrangement/features.h"
+
+namespace blossom::morphology::arrangement {
+
+/// Whether places belong to the sum of two shapes, of which the first may be a solid inside out. It knows nothing of facets
+/// and planes: it asks whether the first shape meets the second one reflected and moved to the place.
+class Membership {
+ public:
+  /// @pre both outlive it
+  Membership(const Features& a, const Features& b, bool insideOut, const Progress&);
+
+  /// @pre a place off all facets of the sum, in multiples of 1/256 of the grid. About O((n + m) log n).
+  bool operator()(const std::array<double, 3>& place) const;
+
+ private:
+  struct Scaled {
+    std::vector<Grid3> points;  ///< in 1/256 of the grid
+    const Features& features;
+  };
+  [[nodiscard]] static bool anyEdgeMeets(const Scaled& edges, const Scaled& faces, const Progress&);
+  [[nodiscard]] static bool holds(const Scaled& solid, const Grid3& point, const Progress&);
+
+  const Features &a_, &b_;
+  bool insideOut_;
+  const Progress& progress_;
+};
+
+}  // namespace blossom::morphology::arrangement

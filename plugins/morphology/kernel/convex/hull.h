@@ -1,0 +1,18 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/vector.h"
+#include "geometry/mesh/mesh.h"
+
+namespace blossom::morphology {
+
+/// The convex hull as closed triangles over its corners; without faces when the points lie in a plane. Decided by exact
+/// predicates.
+Mesh hullTriangles(const std::vector<Vec3>& points);
+
+/// {x : x + p inside the hull for every p of `points`}: its planes are moved inwards, exactly; corners are then rounded to
+/// doubles. Without faces when nothing of volume is left. @pre a hull of hullTriangles
+Mesh shrunk(const Mesh& hull, std::span<const Vec3> points);
+
+}  // namespace blossom::morphology

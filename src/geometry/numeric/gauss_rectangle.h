@@ -35,7 +35,8 @@ struct Divisions {
 template <class F>
 TwoIntegrals integrate(const F& f, const Rectangle& r, const TwoIntegrals& absolute, Divisions left = {}) {
   constexpr std::size_t few = 10, many = 14;
-  const TwoIntegrals coarse = gaussSum(f, r, few, few), fine = gaussSum(f, r, many, many);
+  const TwoIntegrals coarse = gaussSum(f, r, few, few);
+  TwoIntegrals fine = gaussSum(f, r, many, many);
   const auto differs = [&](const TwoIntegrals& other) { return ((fine - other).abs() > absolute).any(); };
   // Values that are not finite end the division, because parts of them would differ forever.
   if (!differs(coarse) || !fine.allFinite()) return fine;

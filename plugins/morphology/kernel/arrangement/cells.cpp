@@ -1,10 +1,10 @@
 #include "kernel/arrangement/cells.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
+#include <span>
 
-#include "core/error.h"
+#include "geometry/numeric/boxes.h"
 #include "geometry/numeric/union_find.h"
 
 namespace blossom::morphology::arrangement {
@@ -112,7 +112,7 @@ class Shells {
   Shells(const std::vector<Tile>& tiles, const Planes& planes, Points& points, UnionFind& classes, const SumSpace& sum)
       : tiles_(tiles), planes_(planes), points_(points), classes_(classes), sum_(sum) {
     const auto cornersOf = [&](const Tile& tile) {
-      Eigen::AlignedBox3d box;
+      Box3 box;
       for (const int c : tile.corners) {
         const Bounded3& p = points.about(c);
         box.extend(Eigen::Vector3d(p[0].value, p[1].value, p[2].value));
@@ -140,7 +140,7 @@ class Shells {
 
   /// Tiles of each class from which rays are likely to leave the sum, the best first.
   [[nodiscard]] std::vector<std::vector<std::size_t>> senders(std::size_t patches) const {
-    Eigen::AlignedBox3d all;
+    Box3 all;
     for (const auto& box : boxes_) all.extend(box);
     std::vector<std::vector<std::pair<double, std::size_t>>> ways(patches);
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
@@ -206,7 +206,7 @@ class Shells {
   /// Outward along the axis of the plane of a tile; nothing when no ray was found that meets no edge.
   std::optional<Ray> rayFrom(std::size_t from) {
     for (int trial = 0; trial < 8; ++trial)
-      if (const auto ray = rayFrom(from, trial)) return ray;
+      if (auto ray = rayFrom(from, trial)) return ray;
     return std::nullopt;
   }
   std::optional<Ray> rayFrom(std::size_t from, int trial) {
@@ -287,7 +287,7 @@ class Shells {
   Points& points_;
   UnionFind& classes_;
   const SumSpace& sum_;
-  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<Box3> boxes_;
   std::uint64_t random_ = 1;
 };
 

@@ -1,5 +1,7 @@
 #include "kernel/prepared.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -84,6 +86,35 @@ bool isHull(const Mesh& mesh) {
   return sortedTriangles(mesh) == sortedTriangles(hull);
 }
 
+Mesh snapped(Mesh mesh, double step) {
+  for (Vec3& p : mesh.points) p = snapped(p, step);
+  return mesh;
+}
+
+struct OnGrid {
+  CheckedSolid solid;
+  double step;
+};
+
+/// Rounding to the grid may make faces cross that do not: then they are rounded to a coarser one.
+/// @param given the same where it lies: moving it has rounded it, too
+OnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, double step, const Subject& subject, const Progress& progress) {
+  try {
+    return {checkedSolid(snapped(mesh, step), subject, progress), step};
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
+    constexpr int mostBits = 16;
+    for (int bits = 2; bits <= mostBits; bits += 2)
+      for (const Mesh& form : {mesh, triangulated(mesh).first}) try {
+          const double coarser = std::ldexp(step, bits);
+          return {checkedSolid(snapped(form, coarser), subject, progress), coarser};
+        } catch (const Error& another) {
+          if (another.code() != ErrorCode::InvalidInput) throw;
+        }
+    throw;
+  }
+}
+
 }  // namespace
 
 CommonGrid gridFor(const Bounds& a, const Bounds& b) {
@@ -104,15 +135,18 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
     return result;
   }
   Mesh mesh = operand.mesh;
-  for (Vec3& p : mesh.points) p = local(p);
+  for (Vec3& p : mesh.points) p -= result.centre;
   refuseUnusable(mesh, {operand.name, result.centre});
-  if (isHull(mesh)) {
-    result.bounds = boundsOfPoints(mesh.points);
-    result.prisms = prismsOf(mesh, grid.step, progress);
-    result.hull = result.triangles = std::move(mesh);
+  if (Mesh hull = snapped(mesh, grid.step); isHull(hull)) {
+    result.bounds = boundsOfPoints(hull.points);
+    result.prisms = prismsOf(hull, grid.step, progress);
+    result.hull = result.triangles = std::move(hull);
     return result;
   }
-  CheckedSolid checked = checkedSolid(mesh, {operand.name, result.centre}, progress);
+  auto [checked, step] = checkedOnGrid(mesh, operand.mesh, grid.step, {operand.name, result.centre}, progress);
+  if (step > grid.step)
+    checked.warnings.push_back(
+        fmt::format("{} has been rounded to {:.2g} mm, so that none of its faces cross.", operand.name, step));
   // What is left of crossings then lies between bodies, and has a warning.
   result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);

@@ -43,12 +43,9 @@ class Fan {
 
   void sort(std::span<AtEdge> tiles) {
     if (tiles.size() < 3) return;
-    axis_ = 0;
-    const auto along = [&](std::size_t k) {
-      return std::abs(points_.about(tiles[0].high)[k].value - points_.about(tiles[0].low)[k].value);
-    };
-    for (std::size_t k = 1; k < 3; ++k)
-      if (along(k) > along(axis_)) axis_ = k;
+    // Along any axis along which the edge has a length; how long it seems in doubles does not matter.
+    for (axis_ = 0; axis_ < 2; ++axis_)
+      if (points_.order(axis_, tiles[0].low, tiles[0].high) != 0) break;
     way_ = points_.order(axis_, tiles[0].low, tiles[0].high);
     const AtEdge first = tiles[0];
     std::sort(tiles.begin() + 1, tiles.end(), [&](const AtEdge& a, const AtEdge& b) {
@@ -132,34 +129,45 @@ class Shells {
       if (!ray->hit) return sum_.isBounded;
       if (facesAway(*ray)) return false;
       if (unites(*ray)) return std::nullopt;
-      within = ray;
+      if (!within || roomOf(*ray) > roomOf(*within)) within = ray;
     }
     // Thinner than the grid everywhere, it is nothing.
     return within && isRoom(*within);
   }
 
-  /// Tiles of each class from which rays are likely to leave the sum, the best first.
+  /// Tiles of each class that send rays: some from which these are likely to leave the sum, and the largest ones, before
+  /// which there is most room.
   [[nodiscard]] std::vector<std::vector<std::size_t>> senders(std::size_t patches) const {
     Box3 all;
-    for (const auto& box : boxes_) all.extend(box);
-    std::vector<std::vector<std::pair<double, std::size_t>>> ways(patches);
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-      const Eigen::Vector3d size = boxes_[t].sizes(), middle = boxes_[t].center();
+    for (const Box3& box : boxes_) all.extend(box);
+    const auto leaving = best(patches, [&](std::size_t t) {
       const auto axis = static_cast<Eigen::Index>(planes_[tiles_[t].plane].axis);
-      const double left = looksUp(tiles_[t]) ? all.max()[axis] - middle[axis] : middle[axis] - all.min()[axis];
-      // Rays need room between edges.
-      ways[classes_.find(static_cast<std::size_t>(tiles_[t].patch))].emplace_back(left - 0.5 * size.norm(), t);
-    }
-    std::vector<std::vector<std::size_t>> best(patches);
-    for (std::size_t c = 0; c < patches; ++c) {
-      std::sort(ways[c].begin(), ways[c].end());
-      for (std::size_t k = 0; k < std::min(ways[c].size(), mostRays); ++k) best[c].push_back(ways[c][k].second);
-    }
-    return best;
+      const double middle = boxes_[t].center()[axis];
+      const double left = looksUp(tiles_[t]) ? all.max()[axis] - middle : middle - all.min()[axis];
+      return left - boxes_[t].sizes().norm() / 2;
+    });
+    auto chosen = best(patches, [&](std::size_t t) { return -boxes_[t].sizes().norm(); });
+    for (std::size_t c = 0; c < patches; ++c) chosen[c].insert(chosen[c].begin(), leaving[c].begin(), leaving[c].end());
+    return chosen;
   }
 
  private:
-  static constexpr std::size_t mostRays = 8;  ///< of one class
+  static constexpr std::size_t mostRays = 6;  ///< of one class and one kind
+
+  /// The tiles of each class with the lowest measures.
+  template <class Measure>
+  [[nodiscard]] std::vector<std::vector<std::size_t>> best(std::size_t patches, const Measure& measure) const {
+    std::vector<std::vector<std::pair<double, std::size_t>>> measured(patches);
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      measured[classes_.find(static_cast<std::size_t>(tiles_[t].patch))].emplace_back(measure(t), t);
+    std::vector<std::vector<std::size_t>> chosen(patches);
+    for (std::size_t c = 0; c < patches; ++c) {
+      const std::size_t count = std::min(measured[c].size(), mostRays);
+      std::partial_sort(measured[c].begin(), measured[c].begin() + static_cast<std::ptrdiff_t>(count), measured[c].end());
+      for (std::size_t k = 0; k < count; ++k) chosen[c].push_back(measured[c][k].second);
+    }
+    return chosen;
+  }
 
   struct Ray {
     std::size_t tile = 0;
@@ -273,9 +281,10 @@ class Shells {
     classes_.unite(mine, other);
     return true;
   }
+  static double roomOf(const Ray& ray) { return std::abs(ray.end.about.value - ray.start.about.value); }
   [[nodiscard]] bool isRoom(const Ray& ray) const {
     constexpr double leastRoom = 0.1;  // of the grid; above it the middle lies between both tiles in doubles, too
-    if (std::abs(ray.end.about.value - ray.start.about.value) < leastRoom) return false;
+    if (roomOf(ray) < leastRoom) return false;
     std::array<double, 3> place{};
     for (std::size_t k = 0; k < 3; ++k) place[k] = static_cast<double>(ray.place[k]);
     place[ray.axis] = std::round(128 * (ray.start.about.value + ray.end.about.value)) / 256;

@@ -9,6 +9,10 @@ qtest "any solids against CGAL::minkowski_sum_3" "$tests/morphology_cgal_test" "
 at_least "  pairs" "$(figure morphology_cgal_test cgal_pairs)" 300
 at_most "  largest relative difference of volumes" "$(figure morphology_cgal_test cgal_error)" 1e-9
 equal "  disagreements in which ours is wrong, or neither is shown to be" "$(figure morphology_cgal_test cgal_disagreements)" 0
+qtest "results fed back as operands" "$tests/morphology_results_test" "BLOSSOM_SOLID_RESULTS=1000"
+at_least "  results" "$(figure morphology_results_test solid_results)" 1000
+equal "  results with faces that cross" "$(figure morphology_results_test solid_results_crossing)" 0
+equal "  refused" "$(figure morphology_results_test solid_results_refused)" 0
 if [ -f "$data/solids/gear8.off" ]; then
   "$tests/solid_pairs" "$data/solids" | tee "$out/solid-pairs.txt" >/dev/null
   sed 's/^/    /' "$out/solid-pairs.txt"

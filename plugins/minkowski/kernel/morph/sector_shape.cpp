@@ -96,7 +96,7 @@ SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::st
   SoundRegion hull = convexHull(shape, progress);
   const double width = inOneTurn(sector.to - sector.from);
   const bool allAround = std::min(width, fullTurn - width) <= sameAngle;
-  if (allAround && std::abs(sector.to - sector.from) > fullTurn / 2) return hull;
+  if (allAround && (sector.to == sector.from || std::abs(sector.to - sector.from) > fullTurn / 2)) return hull;
   const Path& around = hull.region.loops.front();
   const double from = inOneTurn(sector.from);
   Path chain = chainWithin(hasSplines(hull.region) ? polygonAround(around, shape.tolerance) : around, from, from + width);

@@ -45,10 +45,9 @@ Evaluated evaluatedEdit(const Inputs& inputs, const MotionEdit& edit, const Prog
   EditResult result = edited(before, edit, progress);
   out.stats["remainder"] = result.remainder;
   out.stats["moved_poles"] = result.movedPoles;
-  for (const Obstacle& obstacle : result.obstacles) {
-    const Explanation reason = explain(obstacle);
-    out.warnings.push_back(reason.what + " " + reason.remedy);
-  }
+  const auto warn = [&](const Explanation& reason) { out.warnings.push_back(reason.what + " " + reason.remedy); };
+  for (const Obstacle& obstacle : result.obstacles) warn(explain(obstacle));
+  if (result.swing > wildSwing) warn(explainSwing(result.swing));
   out.shape = std::move(result.motion);
   return out;
 }

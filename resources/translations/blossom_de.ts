@@ -1135,6 +1135,10 @@
         <translation>Eingeben, wohin der Punkt kommt: x, y, z · Enter übernimmt · Esc lässt es, wie es ist</translation>
     </message>
     <message>
+        <source>Poles move %1 times as far: places and pins are too near each other</source>
+        <translation>Pole bewegen sich %1-mal so weit: Stellen und festgesteckte sind einander zu nahe</translation>
+    </message>
+    <message>
         <source>The places cannot all arrive; %1 is left at most</source>
         <translation>Nicht alle Stellen können ankommen; es fehlen höchstens %1</translation>
     </message>

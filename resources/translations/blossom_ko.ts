@@ -1135,6 +1135,10 @@
         <translation>점이 갈 곳 입력: x, y, z · Enter: 적용 · Esc: 그대로 두기</translation>
     </message>
     <message>
+        <source>Poles move %1 times as far: places and pins are too near each other</source>
+        <translation>극점이 %1배 멀리 움직임: 자리와 고정점이 서로 너무 가까움</translation>
+    </message>
+    <message>
         <source>The places cannot all arrive; %1 is left at most</source>
         <translation>모든 자리가 도달할 수는 없음. 남는 거리는 최대 %1</translation>
     </message>

@@ -27,6 +27,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void theSurfaceLooksAsAtRest_data();
   void theSurfaceLooksAsAtRest();
   void whatWasLetGoStaysUntilItIsComputed();
+  void faultsOfTheResultAreNotShownInADrag();
   void thePlaceIsShownWhereTheMouseLetGo();
   void framesAreMeasured();
   void aLargeMotionIsDraggedLive();
@@ -116,6 +117,33 @@ void SweepLiveWindowTest::theSurfaceLooksAsAtRest() {
   const double share = other / static_cast<double>(rest.width() * rest.height());
   qInfo("figure live_pixels_apart %.5f", share);
   QVERIFY2(share < 0.01, qPrintable(QString::number(share)));  // the way is gone
+}
+
+/// A side that is scaled through the trajectory crosses others. That is told of the result, not of what comes of the drag.
+void SweepLiveWindowTest::faultsOfTheResultAreNotShownInADrag() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_S);
+  const auto place = window_->page().tool()->whereabouts();
+  QVERIFY(place);
+  key(Qt::Key_Return);
+  QTest::keyClicks(&window_->view(),
+                   QStringLiteral("%1, %2, %3").arg(-1.5 * place->x()).arg(-1.5 * place->y()).arg(place->z(), 0, 'g', 17));
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QTRY_VERIFY(!standIn());
+  QVERIFY(window_->session().view(sweep_)->result->evaluated.stats.at("crosses_itself").get<bool>());
+  const QPoint above = screenOf(Vec3(0, -10, 38));
+  hover(above);
+  const auto faulty = [this] { return colored(canvas(), qtColor(Look::dark().fault)); };
+  const double atRest = faulty();
+  mouse(QEvent::MouseButtonPress, above);
+  mouse(QEvent::MouseMove, above + QPoint(12, 0));
+  QVERIFY(standIn());
+  const double during = faulty();
+  mouse(QEvent::MouseButtonRelease, above + QPoint(12, 0));
+  QVERIFY2(atRest > 2e-5 && during < atRest / 4, qPrintable(QStringLiteral("%1 %2").arg(atRest).arg(during)));
 }
 
 void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {

@@ -77,6 +77,27 @@ class SweepUnreachedTest : public QObject {
     QVERIFY(!says(close, Unreached::FrameAxis));
   }
 
+  /// A place that is pulled beside a pin arrives, and what that costs elsewhere is told.
+  void howFarPolesMoveIsTold() {
+    const Motion motion = readMotionOf("cylinder.json");
+    MotionPull one{{{0, 0.5}}, {{12, 0, 20}}, {1, 0, 0}};
+    const EditResult alone = pull(motion, one);
+    QVERIFY(alone.obstacles.empty() && alone.swing >= 1 && alone.swing < 4);
+    double before = alone.swing;
+    for (const double apart : {0.2, 0.05, 0.01}) {
+      one.pins = {{0, 0.5 + apart}};
+      const EditResult beside = pull(motion, one);
+      QVERIFY(beside.obstacles.empty());
+      double farthest = 0;
+      for (std::size_t k = 0; k < motion.trajectory.poles.size(); ++k)
+        farthest = std::max(farthest, (beside.motion.trajectory.poles[k] - motion.trajectory.poles[k]).head<3>().norm());
+      COMPARE_NEAR(beside.swing, farthest / 2, 1e-9 * farthest);
+      QVERIFY(beside.swing > before);
+      before = beside.swing;
+    }
+    QVERIFY(before > wildSwing);
+  }
+
   void rotationKeepsTheRadius() {
     const EditResult result = pullMiddle({0, 25, 20}, {0, 1, 0});
     QVERIFY(says(result, Unreached::Radius));

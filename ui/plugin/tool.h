@@ -128,6 +128,7 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  virtual void mouseGone() {}                           ///< it has left the view
   /// Turns of the wheel away from the user, in notches, before the camera has them.
   virtual bool wheel(double /*notches*/, Qt::KeyboardModifiers) { return false; }
   /// The keys go elsewhere from now on: what is being typed is left as by Esc.

@@ -1,6 +1,7 @@
 #include "ui/tools/handle_tool.h"
 
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <algorithm>
 #include <utility>
 
@@ -55,8 +56,16 @@ bool HandleTool::release(const ToolEvent& event) {
   return true;
 }
 
+void HandleTool::mouseGone() {
+  if (held_ || !hovered_) return;
+  hovered_.reset();
+  emit changed();
+}
+
+/// To undo what is not done yet is to leave it.
 bool HandleTool::key(const QKeyEvent& event) {
-  if (event.key() != Qt::Key_Escape || !held_) return false;
+  const bool takesBack = event.key() == Qt::Key_Escape || event.matches(QKeySequence::Undo);
+  if (!takesBack || !held_) return false;
   letGo();
   emit changed();
   return true;

@@ -6,8 +6,8 @@
 
 namespace blossom::ui {
 
-/// A tool with handles of one feature. The handle under the mouse is highlighted, the left button drags it, Esc cancels.
-/// Only events on the handles are accepted; all others move the camera.
+/// A tool with handles of one feature. The handle under the mouse is highlighted, the left button drags it; Esc, undo and
+/// the right button leave the drag. Only events on the handles are accepted; all others move the camera.
 class HandleTool : public Tool {
   Q_OBJECT
   Q_PROPERTY(double frameBudget READ frameBudget WRITE setFrameBudget)
@@ -23,6 +23,7 @@ class HandleTool : public Tool {
   bool press(const ToolEvent&) override;
   bool move(const ToolEvent&) override;
   bool release(const ToolEvent&) override;
+  void mouseGone() override;
   bool key(const QKeyEvent&) override;
   void documentChanged() override;
   void revert() override;

@@ -61,6 +61,7 @@ class ViewItems {
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
   /// What a tool shows instead of some shapes, which can be picked all the same. @returns whether other data are shown
   bool setStandIn(const std::optional<StandIn>&);
+  [[nodiscard]] bool hasStandIn() const { return standIn_.has_value(); }
   [[nodiscard]] bool canBeCoarser() const { return standIn_ && standIn_->coarseFaces; }
   void drawCoarsely(bool);  ///< of what stands in, the triangles that are fewer
   void setSection(const std::optional<CutPlane>&);

@@ -70,7 +70,11 @@ void ViewWidget::placeCube() {
   legend_->move(width() - legend_->width(), height() - legend_->height() - 14);
 }
 
-void ViewWidget::followCurvature() { legend_->showScale(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
+/// A shape that stands in for others has no curvature of its own.
+void ViewWidget::followCurvature() {
+  const ViewItems& items = stage_.items();
+  legend_->showScale(surfaceDisplay(displayMode()), items.hasStandIn() ? std::nullopt : items.curvatureRange());
+}
 
 void ViewWidget::prepareFrame(QPointF offset, QSize picture, bool coarse) {
   bringToolUpToDate();

@@ -152,6 +152,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void markTool();
   void bringToolUpToDate();
   bool offerKey(const QKeyEvent&);
+  void leaveDrag();
   [[nodiscard]] bool secondButton(const QMouseEvent*) const;
   bool offerTab(const QKeyEvent&);
   void takeKeys();

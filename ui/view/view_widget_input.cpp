@@ -46,13 +46,22 @@ QString ViewWidget::restingHint() const {
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   event->accept();
-  if (secondButton(event)) return;
+  if (secondButton(event)) {
+    if (event->button() == Qt::RightButton) leaveDrag();
+    return;
+  }
   toolHasMouse_ = tool_ && tool_->press(toolEvent(event->position(), event->button(), event->modifiers()));
   pressedAt_ = event->position();
   if (toolHasMouse_)
     navigation_->giveUp();
   else
     startDrag(event->position(), event->buttons(), event->modifiers());
+}
+
+// As the right button does while the left one drags.
+void ViewWidget::leaveDrag() {
+  const QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+  if (tool_ && handles_) tool_->key(escape);
 }
 
 // What is dragged stays with the button that took it: neither menus nor the camera come between.
@@ -164,6 +173,7 @@ void ViewWidget::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void ViewWidget::leaveEvent(QEvent*) {
+  if (tool_ && !toolHasMouse_) tool_->mouseGone();
   setHovered({});
   emit hint({});
   emit whereabouts({});
@@ -243,7 +253,10 @@ void ViewWidget::markTool() {
 
 void ViewWidget::bringToolUpToDate() {
   if (!std::exchange(toolStale_, false)) return;
+  const bool before = stage_.items().hasStandIn();
   stage_.setStandIn(tool_ ? tool_->standIn() : std::nullopt);
+  if (stage_.items().hasStandIn() != before)  // not while a picture is painted
+    QMetaObject::invokeMethod(this, &ViewWidget::followCurvature, Qt::QueuedConnection);
   stage_.setToolProps(tool_ ? tool_->props() : ViewStage::Props());
 }
 

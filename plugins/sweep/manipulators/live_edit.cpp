@@ -23,7 +23,7 @@ LiveEdit::LiveEdit(std::shared_ptr<const LiveSurface> before, bool capped)
 void LiveEdit::show(const Motion& base, const MotionEdit& edit) {
   reason_.clear();
   nearest_ = false;
-  remainder_ = 0;
+  remainder_ = swing_ = 0;
   try {
     const EditResult result = edited(base, edit);
     mesh_.update(grid_.grid(), grid_.update(result.motion));
@@ -35,6 +35,7 @@ void LiveEdit::show(const Motion& base, const MotionEdit& edit) {
 }
 
 void LiveEdit::judge(const EditResult& result) {
+  swing_ = result.swing;
   if (result.obstacles.empty()) return;
   const Explanation reason = explain(result.obstacles.front());
   reason_ = ui::saidInFull(reason.what, reason.remedy);

@@ -25,6 +25,7 @@ class LiveEdit {
   /// It does not arrive, but comes as near as all of its places can together.
   [[nodiscard]] bool nearest() const { return nearest_; }
   [[nodiscard]] double remainder() const { return remainder_; }  ///< mm or degrees, of the place that is left farthest
+  [[nodiscard]] double swing() const { return swing_; }          ///< of an EditResult
   /// Why the edit does not arrive, in the words of the kernel.
   [[nodiscard]] const QString& reason() const { return reason_; }
 
@@ -36,7 +37,7 @@ class LiveEdit {
   LiveMesh mesh_;
   QString reason_;
   bool nearest_ = false;
-  double remainder_ = 0;
+  double remainder_ = 0, swing_ = 0;
 };
 
 }  // namespace blossom::sweep

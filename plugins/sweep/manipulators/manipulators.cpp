@@ -1,5 +1,4 @@
 #include "manipulators/factors/factors_tool.h"
-#include "manipulators/marks/validity_marks.h"
 #include "manipulators/motion_overlay.h"
 #include "manipulators/surface_pull_tool.h"
 #include "type_ids.h"
@@ -7,14 +6,8 @@
 BLOSSOM_MANIPULATORS(registry) {
   using namespace blossom;
   using namespace blossom::sweep;
-  const auto overlay = [](const ui::OverlayContext& context) {
-    auto props = motionOverlay(context);
-    const auto marks = validityMarks(context);
-    props.insert(props.end(), marks.begin(), marks.end());
-    return props;
-  };
   for (const char* type : {sweepType, pullType, twistType}) {
-    registry.addOverlay(type, overlay);
+    registry.addOverlay(type, motionOverlay);
     registry.addHandles(type, [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
       return std::make_unique<SurfacePullTool>(host, id);
     });

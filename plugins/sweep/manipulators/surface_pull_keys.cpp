@@ -10,7 +10,11 @@ namespace blossom::sweep {
 
 bool SurfacePullTool::key(const QKeyEvent& event) {
   if (entry_) return typingKey(event);
-  if (HandleTool::key(event)) return true;
+  if (HandleTool::key(event)) {
+    lookAgain();  // the mouse has gone on since it took the place
+    emit changed();
+    return true;
+  }
   const bool plain = !event.modifiers().testFlag(Qt::ControlModifier) &&
                      (held() || !(event.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)));
   if (!plain) return false;

@@ -53,12 +53,23 @@ bool SurfacePullTool::press(const ui::ToolEvent& event) {
 }
 
 bool SurfacePullTool::move(const ui::ToolEvent& event) {
-  if (held()) return HandleTool::move(event);
+  if (held()) {
+    mouse_ = event;
+    return HandleTool::move(event);
+  }
   if (entry_) return event.button == Qt::NoButton;  // the place whose goal is typed stays
   look(event);
   const bool taken = HandleTool::move(event);
   if (hovered()) emit changed();  // another place, though the same handle
   return taken;
+}
+
+void SurfacePullTool::mouseGone() {
+  if (held() || entry_) return;  // the place whose goal is typed stays
+  mouse_.reset();
+  under_.reset();
+  overSurface_ = false;
+  HandleTool::mouseGone();
 }
 
 /// A click is for the view, which selects what is there; with Shift it takes the place along.
@@ -80,12 +91,12 @@ void SurfacePullTool::lookAgain() {
   if (!mouse_ || held()) return;
   const ui::ToolEvent event = *mouse_;
   look(event);
-  if (!under_) return;
+  if (!under_) return forgetHovered();
   const auto seen = host().onScreen(event.ray.origin + under_->hit.distance * event.ray.direction);
   if (seen && (*seen - event.at).manhattanLength() < 1)
     HandleTool::move(event);
   else
-    under_.reset();
+    under_.reset(), forgetHovered();
 }
 
 void SurfacePullTool::look(const ui::ToolEvent& event) {

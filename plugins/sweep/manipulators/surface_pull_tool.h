@@ -30,6 +30,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool press(const ui::ToolEvent&) override;
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
+  void mouseGone() override;
   bool key(const QKeyEvent&) override;
   bool wheel(double notches, Qt::KeyboardModifiers) override;
   void keysLost() override;
@@ -84,6 +85,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString heldText() const;
   [[nodiscard]] QString leftText() const;
   [[nodiscard]] QString wayText() const;
+  [[nodiscard]] std::vector<ui::PropPtr> marksOfResult() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
   void markAxes(PullMarks&) const;

@@ -1,11 +1,14 @@
 // What the surface pull tool says and draws.
 #include <vtkProp.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "manipulators/marks/axis_ball.h"
 #include "manipulators/marks/pull_marks.h"
 #include "manipulators/marks/pull_numbers.h"
+#include "manipulators/marks/validity_marks.h"
 #include "manipulators/surface_pull_tool.h"
 
 namespace blossom::sweep {
@@ -72,16 +75,18 @@ QString SurfacePullTool::heldHint() const {
   if (!edit_->possible()) return tr("Nothing will be changed here: %1").arg(live.reason());
   QStringList parts;
   if (!live.arrived()) parts << tr("The places cannot all arrive; %1 is left at most").arg(leftText());
-  parts << heldText();
+  if (live.swing() > wildSwing)
+    parts << tr("Poles move %1 times as far: places and pins are too near each other").arg(std::lround(live.swing()));
+  parts << heldText() << tr("Esc takes it back");
   if (const std::size_t pins = edit_->countOfPins(mode_); pins > 0) parts << tr("%1 pinned").arg(pins);
   const bool followed = edit_->changesFollowed();  // its own way, whatever is chosen for the next one
   if (edit_->twists(mode_))
     parts << (followed ? QString() : tr("A: another axis")) << tr("Enter: type the angle");
   else
     parts << tr("Shift: along the normal") << tr("Enter: type the target");
-  if (followed) return joined(parts << tr("Esc takes it back"));
+  if (followed) return joined(parts);
   if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("wheel: share of %1").arg(share);
-  return joined(parts << mode_.symmetryText() << mode_.levelText() << tr("Esc takes it back"));
+  return joined(parts << mode_.symmetryText() << mode_.levelText());
 }
 
 QString SurfacePullTool::heldText() const {
@@ -134,11 +139,11 @@ QString SurfacePullTool::keysHint(bool single, bool ownLevel) const {
     parts << tr("A: another axis") << tr("W: pull");
   else
     parts << tr("T, R, S: one alone (Shift: as well)") << tr("W: twist");
-  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("Shift+wheel: share of %1").arg(share);
   if (single) parts << tr("2–9, M: copies");
-  if (ownLevel) parts << tr("+, −: finer, coarser");
-  parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));
   if (chosen_.empty()) parts << tr("Shift-click: take along") << tr("P: pin it");
+  parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));
+  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("Shift+wheel: share of %1").arg(share);
+  if (ownLevel) parts << tr("+, −: finer, coarser");
   return joined(parts);
 }
 
@@ -163,7 +168,7 @@ QString SurfacePullTool::wayText() const {
 }
 
 std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
-  Props props;
+  Props props = marksOfResult();
   if (!surface_) return props;
   const Facing face = facing(towards_, millimetresPerPixel());
   PullMarks marks(host(), face, props);
@@ -178,6 +183,18 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
   if (!editing && !edits_.empty() && edits_.front().isFollowed)
     marks.copies(pointsAt(motion, editedPlaces(edits_.front().edit)));
   return props;
+}
+
+/// Not while a surface is seen that is no result yet. The card of the place under the mouse hides names beside it.
+Props SurfacePullTool::marksOfResult() const {
+  const auto result = host().result(feature());
+  if (!result || edit_ || lingering_) return {};
+  const auto pointed = hovered() && under_ ? host().onScreen(under_->hit.point) : std::nullopt;
+  return validityMarks(host(), result->evaluated.stats, [&](const Vec3& place) {
+    constexpr double reach = 160;  // logical pixels, of the card and a name
+    const auto seen = host().onScreen(place);
+    return pointed && seen && (*seen - *pointed).manhattanLength() < reach;
+  });
 }
 
 void SurfacePullTool::markTurnedAxis(PullMarks& marks, const Vec3& centre, const Vec3& axis) const {

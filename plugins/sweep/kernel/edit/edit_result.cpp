@@ -57,4 +57,12 @@ Explanation explain(const Obstacle& obstacle) {
   return reason;
 }
 
+Explanation explainSwing(double swing) {
+  return {
+      fmt::format("Poles of the motion move up to {:.0f} times as far as any place of this edit asks, for its places and "
+                  "pins nearly share their poles: between them the surface goes far astray.",
+                  swing),
+      "Set them farther apart in u and v, take a pin away, or edit at a finer level."};
+}
+
 }  // namespace blossom::sweep

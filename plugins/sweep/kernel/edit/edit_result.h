@@ -32,14 +32,19 @@ struct Explanation {
   std::string what, remedy;
 };
 Explanation explain(const Obstacle&);
+/// The swing of an edit above which its surface goes far astray between the places that arrive.
+constexpr double wildSwing = 20;
+Explanation explainSwing(double swing);
 
 /// A motion after an edit.
 struct EditResult {
   Motion motion;
   /// For each place the largest distance that is left for it or its copies: mm after a pull, degrees after a twist.
   std::vector<double> remainders;
-  double remainder = 0;             ///< the largest of these
-  std::size_t movedPoles = 0;       ///< poles of the three factors that are other than before
+  double remainder = 0;        ///< the largest of these
+  std::size_t movedPoles = 0;  ///< poles of the three factors that are other than before
+  /// How many times as far as any place asks some pole of a factor moves, at most; 1 to 4 for one place alone.
+  double swing = 0;
   std::vector<Obstacle> obstacles;  ///< of the places that did not arrive; empty when all did
 };
 

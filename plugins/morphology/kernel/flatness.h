@@ -2,8 +2,9 @@
 
 namespace blossom::morphology {
 
-/// Fractions of a solid's size up to which a bend counts as rounding. Operands are rounded to a grid of 2^-44 of their size,
-/// which bends the faces of a tilted box by 3e-13; each later step allows for what the step before may have added.
+/// Fractions of a solid's size up to which a bend counts as rounding. Operands are rounded to doubles or to a
+/// grid of 2^-44 of their size, which bends the faces of a tilted box by 3e-13; each later step allows for what the step
+/// before may have added.
 inline constexpr double joinedFacesFlatness = 2e-12;  ///< for triangles of one face and vertices of one edge
 inline constexpr double hullFlatness = 4e-12;         ///< a solid with dents up to this is replaced by its hull
 

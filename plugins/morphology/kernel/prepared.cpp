@@ -19,7 +19,10 @@ namespace blossom::morphology {
 
 namespace {
 
-constexpr int gridBits = 44;
+/// Doubles of the largest coordinates are kept as they are, so that results are read again as they were checked.
+constexpr int gridBits = 52;
+/// The planar engine takes numbers of 46 bits.
+constexpr double prismSteps = 64;
 
 Vec3 snapped(const Vec3& p, double step) {
   const Vec3 q = p / step;
@@ -139,7 +142,7 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   refuseUnusable(mesh, {operand.name, result.centre});
   if (Mesh hull = snapped(mesh, grid.step); isHull(hull)) {
     result.bounds = boundsOfPoints(hull.points);
-    result.prisms = prismsOf(hull, grid.step, progress);
+    result.prisms = prismsOf(hull, prismSteps * grid.step, progress);
     result.hull = result.triangles = std::move(hull);
     return result;
   }
@@ -151,7 +154,7 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);
   result.bounds = boundsOfPoints(checked.triangles.points);
-  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, grid.step, progress);
+  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, prismSteps * grid.step, progress);
   result.hull = hullOfConvex(checked.triangles);
   result.triangles = result.hull.faceCount() > 0 ? result.hull : std::move(checked.triangles);
   return result;

@@ -25,7 +25,7 @@ struct ArrangedSum {
 /// other in exact arithmetic, and those before which there is no sum are its boundary. Terms are scaled, then rounded to the
 /// grid: nothing where that leaves triangles without area. Bodies of a solid may overlap. Parts of the sum without volume
 /// are left out. O(n m) signs for pairs of features, O(k log k) for k facets that meet.
-/// @pre sums reach no further than 2^45 steps. @throws Error Cancelled.
+/// @pre sums reach no further than 2^54 steps. @throws Error Cancelled.
 std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress&);
 
 /// {x : x + b inside a}: the complement of the sum of the complement of a solid and the mirrored b. @pre bodies of the solid

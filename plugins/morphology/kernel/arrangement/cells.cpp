@@ -246,7 +246,7 @@ class Shells {
       if (k == ray.axis) continue;
       const auto value = static_cast<double>(ray.place[k]);
       const auto i = static_cast<Eigen::Index>(k);
-      if (boxes_[t].min()[i] - 1 > value || boxes_[t].max()[i] + 1 < value) return true;
+      if (boxes_[t].min()[i] - blur > value || boxes_[t].max()[i] + blur < value) return true;
     }
     const Tile& tile = tiles_[t];
     const int covered = covers(tile, place, ray.axis);
@@ -283,11 +283,10 @@ class Shells {
   }
   static double roomOf(const Ray& ray) { return std::abs(ray.end.about.value - ray.start.about.value); }
   [[nodiscard]] bool isRoom(const Ray& ray) const {
-    constexpr double leastRoom = 0.1;  // of the grid; above it the middle lies between both tiles in doubles, too
+    constexpr double leastRoom = 0.1 * blur;  // above it the middle lies between both tiles in doubles, too
     if (roomOf(ray) < leastRoom) return false;
-    std::array<double, 3> place{};
-    for (std::size_t k = 0; k < 3; ++k) place[k] = static_cast<double>(ray.place[k]);
-    place[ray.axis] = std::round(128 * (ray.start.about.value + ray.end.about.value)) / 256;
+    Grid3 place = ray.place;
+    place[ray.axis] = std::llround((ray.start.about.value + ray.end.about.value) / 2);
     return !sum_.holds(place);
   }
 

@@ -17,8 +17,7 @@ struct Tile {
 };
 
 struct SumSpace {
-  /// Whether a place off all tiles belongs to the sum, in multiples of 1/256 of the grid.
-  std::function<bool(const std::array<double, 3>&)> holds;
+  std::function<bool(const Grid3&)> holds;  ///< whether a place off all tiles belongs to the sum
   bool isBounded = true;
 };
 

@@ -9,8 +9,6 @@ namespace blossom::morphology::arrangement {
 
 namespace {
 
-constexpr std::int64_t finer = 256;
-
 Eigen::Vector3d inDoubles(const Grid3& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
@@ -40,12 +38,10 @@ bool meet(const Grid3& p, const Grid3& q, const std::array<Grid3, 3>& t) {
 Membership::Membership(const Features& a, const Features& b, bool insideOut, const Progress& progress)
     : a_(a), b_(b), insideOut_(insideOut), progress_(progress) {}
 
-bool Membership::operator()(const std::array<double, 3>& place) const {
-  Scaled first{{}, a_}, second{{}, b_};
-  Grid3 at{};
-  for (std::size_t k = 0; k < 3; ++k) at[k] = std::llround(finer * place[k]);
-  for (const Grid3& p : a_.points) first.points.push_back({finer * p[0], finer * p[1], finer * p[2]});
-  for (const Grid3& p : b_.points) second.points.push_back(at - Grid3{finer * p[0], finer * p[1], finer * p[2]});
+bool Membership::operator()(const Grid3& place) const {
+  const Placed first{a_.points, a_};
+  Placed second{{}, b_};
+  for (const Grid3& p : b_.points) second.points.push_back(place - p);
   if (anyEdgeMeets(first, second, progress_) || anyEdgeMeets(second, first, progress_)) return true;
   const auto isInFirst = [&](int corner) {
     return holds(first, second.points[static_cast<std::size_t>(corner)], progress_) != insideOut_;
@@ -55,7 +51,7 @@ bool Membership::operator()(const std::array<double, 3>& place) const {
                      [&](int corner) { return holds(second, first.points[static_cast<std::size_t>(corner)], progress_); });
 }
 
-bool Membership::anyEdgeMeets(const Scaled& edges, const Scaled& faces, const Progress& progress) {
+bool Membership::anyEdgeMeets(const Placed& edges, const Placed& faces, const Progress& progress) {
   std::vector<Box3> boxes;
   boxes.reserve(faces.features.faces.size());
   const auto corner = [&](const Features::Face& face, std::size_t k) -> const Grid3& {
@@ -77,7 +73,7 @@ bool Membership::anyEdgeMeets(const Scaled& edges, const Scaled& faces, const Pr
 }
 
 /// Thin shapes hold nothing: their faces turn both ways around every place.
-bool Membership::holds(const Scaled& solid, const Grid3& point, const Progress& progress) {
+bool Membership::holds(const Placed& solid, const Grid3& point, const Progress& progress) {
   std::vector<Triangle3> triangles;
   triangles.reserve(solid.features.faces.size());
   const auto at = [&](int corner) { return Vec3(inDoubles(solid.points[static_cast<std::size_t>(corner)])); };

@@ -12,16 +12,16 @@ class Membership {
   /// @pre both outlive it
   Membership(const Features& a, const Features& b, bool insideOut, const Progress&);
 
-  /// @pre a place off all facets of the sum, in multiples of 1/256 of the grid. About O((n + m) log n).
-  bool operator()(const std::array<double, 3>& place) const;
+  /// @pre a place off all facets of the sum. About O((n + m) log n).
+  bool operator()(const Grid3& place) const;
 
  private:
-  struct Scaled {
-    std::vector<Grid3> points;  ///< in 1/256 of the grid
+  struct Placed {
+    std::vector<Grid3> points;
     const Features& features;
   };
-  [[nodiscard]] static bool anyEdgeMeets(const Scaled& edges, const Scaled& faces, const Progress&);
-  [[nodiscard]] static bool holds(const Scaled& solid, const Grid3& point, const Progress&);
+  [[nodiscard]] static bool anyEdgeMeets(const Placed& edges, const Placed& faces, const Progress&);
+  [[nodiscard]] static bool holds(const Placed& solid, const Grid3& point, const Progress&);
 
   const Features &a_, &b_;
   bool insideOut_;

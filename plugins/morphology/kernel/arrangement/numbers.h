@@ -4,13 +4,18 @@
 #include <cmath>
 #include <cstdint>
 
-/// Numbers of the exact arrangement. Coordinates are whole multiples of the grid, below 2^45; doubles with a bound of their
+/// Numbers of the exact arrangement. Coordinates are whole multiples of the grid, below 2^54; doubles with a bound of their
 /// error decide nearly all signs, long integers the rest.
 namespace blossom::morphology::arrangement {
 
 __extension__ using Int128 = __int128;
-/// Wide enough for the determinant of three intersections of three planes each: 924 bits.
-using Whole = boost::multiprecision::int1024_t;
+/// Wide enough for the determinant of three intersections of three planes each: 1104 bits.
+using Whole =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1152, 1152, boost::multiprecision::signed_magnitude,
+                                                                         boost::multiprecision::unchecked, void>>;
+/// Steps of the grid within which doubles find a point of the arrangement: the grid is as fine as doubles of the largest
+/// coordinates, and a few operations cost some bits.
+inline constexpr int blur = 256;
 
 using Grid3 = std::array<std::int64_t, 3>;  ///< a point or a direction in units of the grid
 using Normal3 = std::array<Int128, 3>;      ///< a cross product of two directions
@@ -56,8 +61,11 @@ inline Bounded operator/(const Bounded& a, const Bounded& b) {
   return {v, (a.error + std::abs(v) * b.error) / least * (1 + 8 * roundOff) + roundOff * std::abs(v)};
 }
 
-/// Of a whole number below 2^53.
-inline Bounded exactly(std::int64_t value) { return {static_cast<double>(value), 0}; }
+/// Of a whole number; exact below 2^53.
+inline Bounded exactly(std::int64_t value) {
+  const auto v = static_cast<double>(value);
+  return {v, std::abs(v) < 0x1p53 ? 0 : roundOff * std::abs(v)};
+}
 inline Bounded rounded(Int128 value) {
   const auto v = static_cast<double>(value);
   return {v, roundOff * std::abs(v)};

@@ -8,14 +8,17 @@ namespace {
 
 std::uint64_t mixed(std::uint64_t sum, std::uint64_t value) { return (std::rotl(sum, 5) ^ value) * 0x9E3779B97F4A7C15ULL; }
 
-/// Larger than the error of a coordinate that is rounded from its exact value, smaller than half of the grid.
-constexpr double largestError = 0.2;
+/// Larger than the error of a coordinate that is rounded from its exact value. Points are looked up in cells as large as the
+/// blur: equal ones then lie in one of them or in neighbours.
+constexpr double largestError = 0.2 * blur;
 
 /// An exact quotient in doubles.
 Bounded quotient(const Whole& x, const Whole& w) {
   const double value = x.convert_to<double>() / w.convert_to<double>();
   return {value, 2 * roundOff * std::abs(value)};
 }
+
+std::int64_t cellOf(double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / blur)); }
 
 bool isRough(const Bounded3& p) {
   return std::any_of(p.begin(), p.end(), [](const Bounded& x) { return !(x.error < largestError); });
@@ -109,14 +112,13 @@ int Points::insert(Entry made) {
     const Exact& known = exact(made);
     for (std::size_t k = 0; k < 3; ++k) made.about[k] = quotient(known.x[k], known.w);
   }
-  // Equal points lie at most twice the largest error apart, in the same unit cell or a neighbouring one.
+  // Equal points lie at most twice the largest error apart, in the same cell or a neighbouring one.
   std::array<std::array<std::int64_t, 2>, 3> near{};
   Cell home{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double value = made.about[k].value;
-    home[k] = static_cast<std::int64_t>(std::floor(value));
-    near[k] = {static_cast<std::int64_t>(std::floor(value - 2 * largestError)),
-               static_cast<std::int64_t>(std::floor(value + 2 * largestError))};
+    home[k] = cellOf(value);
+    near[k] = {cellOf(value - 2 * largestError), cellOf(value + 2 * largestError)};
   }
   for (std::size_t corner = 0; corner < 8; ++corner) {
     Cell cell{};

@@ -21,8 +21,9 @@ const char* wayOf(const MorphologyStats& stats) {
 }
 
 Value statsOf(const MorphologyStats& stats) {
-  return {{"candidates", stats.candidates}, {"check_ms", stats.checkMs},   {"sum_ms", stats.sumMs},
-          {"unite_ms", stats.uniteMs},      {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
+  return {
+      {"candidates", stats.candidates}, {"pairings", stats.pairings},  {"check_ms", stats.checkMs}, {"sum_ms", stats.sumMs},
+      {"unite_ms", stats.uniteMs},      {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
 }
 
 }  // namespace
@@ -42,6 +43,23 @@ Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& time
   }
   out.shape = std::move(sequence);
   return out;
+}
+
+std::vector<double> controlled(Control control, const Value& curve, std::vector<double> times) {
+  std::vector<ControlPoint> points;
+  points.reserve(curve.size());
+  for (const Value& pair : curve) points.push_back({pair.at(0).get<double>(), pair.at(1).get<double>()});
+  for (double& t : times) t = controlValue(control, points, t);
+  return times;
+}
+
+ParameterSpec controlChoice() { return choice({"linear", "ease", "ease-in", "ease-out", "curve"}); }
+
+ParameterSpec controlCurveSpec() {
+  ParameterSpec spec = controlCurve();
+  spec.minimum = 0;
+  spec.maximum = 1;
+  return onlyFor(spec, "control", {"curve"});
 }
 
 std::vector<double> frameTimes(int frames) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "feature/registry.h"
+#include "kernel/control.h"
 #include "kernel/morphology.h"
 
 namespace blossom::morphology {
@@ -18,5 +19,16 @@ inline constexpr const char* deviationHelp =
 
 /// 0, 1/(n-1), .., 1.
 std::vector<double> frameTimes(int frames);
+
+/// f(t) of the parameters `control` and `curve` at each time.
+std::vector<double> controlled(Control, const Value& curve, std::vector<double> times);
+
+ParameterSpec controlChoice();
+/// Only for the control "curve".
+ParameterSpec controlCurveSpec();
+
+inline const std::vector<ShapeKind> solidKinds{ShapeKind::Mesh, ShapeKind::Brep};
+inline const std::vector<ShapeKind> elementKinds{ShapeKind::Mesh, ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves,
+                                                 ShapeKind::Curve};
 
 }  // namespace blossom::morphology

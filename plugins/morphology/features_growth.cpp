@@ -1,5 +1,3 @@
-#include <functional>
-
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
 
@@ -7,37 +5,62 @@ namespace blossom::morphology {
 
 namespace {
 
+ParameterSpec timesAsLarge() {
+  ParameterSpec spec = number(0);
+  spec.aboveMinimum = true;
+  return spec;
+}
+
+enum class Until { Size, Nothing };
+
 struct GrowParameters {
   double radius = 1;
+  double size = 1;
   int frames = 0;
+  Until until = Until::Size;
+  double rounding = 0;
+  Control control = Control::Linear;
+  Value curve = Value::array();
   int subdivisions = 1;
   BallFit fit = BallFit::Inscribed;
   double deviation = 0.05;
 };
 
-using GrowOperation = std::function<MorphologyResult(const Operand&, const GrowOptions&, const Progress&)>;
+using GrowOperation = MorphologyResult (*)(const Operand&, const GrowOptions&, const Progress&);
 
-GrowOptions optionsOf(const GrowParameters& p, const std::vector<double>& times) {
-  GrowOptions options{.radii = {p.radius}, .subdivisions = p.subdivisions, .fit = p.fit};
-  if (!times.empty()) options.radii.clear();
-  for (const double t : times) options.radii.push_back(t * p.radius);
+GrowOptions optionsOf(const GrowParameters& p, const Inputs& inputs, const std::vector<double>& times,
+                      const Progress& progress) {
+  GrowOptions options;
+  options.subdivisions = p.subdivisions;
+  options.fit = p.fit;
+  options.rounding = p.rounding;
+  options.untilNothing = p.until == Until::Nothing;
+  if (!inputs.of(1).empty()) options.element = operandOf(inputs.of(1)[0], {p.deviation, "The element", false}, progress);
+  const double whole = options.untilNothing ? 1 : options.element ? p.size : p.radius;
+  options.sizes = times.empty() ? std::vector<double>{1} : controlled(p.control, p.curve, times);
+  for (double& size : options.sizes) size *= whole;
   return options;
 }
 
-Evaluated grown(const GrowOperation& operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
+Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
   const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
   const std::vector<double> times = frameTimes(p.frames);
-  Evaluated out = evaluatedFrom(operation(solid, optionsOf(p, times), progress), times);
-  out.stats["ball_deviation"] = ball({p.radius, p.subdivisions, p.fit}).deviation;
+  const GrowOptions options = optionsOf(p, inputs, times, progress);
+  MorphologyResult made = operation(solid, options, progress);
+  const double largest = made.stats.largestSize;
+  Evaluated out = evaluatedFrom(std::move(made), times);
+  if (options.untilNothing) out.stats[options.element ? "largest_size" : "largest_radius"] = largest;
+  if (!options.element)
+    out.stats["ball_deviation"] = ball({options.untilNothing ? largest : p.radius, p.subdivisions, p.fit}).deviation;
   return out;
 }
 
 struct GrowTexts {
-  const char *id, *title, *summary, *radius, *icon;
+  const char *id, *title, *summary, *element, *radius, *icon;
   std::vector<const char*> examples;
 };
 
-FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
+FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
   using P = GrowParameters;
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
@@ -45,43 +68,57 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
       .playedBy({.parameter = "frames"})
       .input({.name = "solid",
               .help = "The solid that is changed.",
-              .kinds = {ShapeKind::Mesh, ShapeKind::Brep},
+              .kinds = solidKinds,
               .use = InputUse::Consumed,
               .asks = "a solid to grow or melt"})
+      .input({.name = "element", .help = texts.element, .kinds = elementKinds, .minimum = 0, .use = InputUse::Control})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
+      .parameter("size", &P::size, timesAsLarge(), "How many times as large as drawn an element is taken.")
       .parameter("frames", &P::frames, count(0, 1000),
-                 "Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.")
+                 "Number of solids of a sequence from size 0 to the whole size; 0 makes only the last one.")
+      .parameter("control", &P::control, controlChoice(), "Growth of the size over the frames.")
+      .parameter("curve", &P::curve, controlCurveSpec(),
+                 "The share of the whole size at times from 0 to 1; linear between them.")
       .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
                  "Fineness of the ball: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
                  "Whether the ball's polyhedron lies inside it or around it.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);
-  return made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
-    return grown(operation, p, inputs, progress);
-  });
+  return made;
 }
 
 FeatureType inflateFeature() {
   return growth({"morphology.inflate",
                  "Inflate",
-                 "A solid grown by a ball: every point within the radius of it.",
-                 "Distance by which it grows.",
+                 "A solid grown by a ball or another shape: every point within the radius of it.",
+                 "A shape to grow by in place of the ball, about the origin.",
+                 "Distance by which it grows; of the ball.",
                  "inflate",
                  {"blossom inflate part.stl --radius 2 -o grown.stl",
-                  "blossom inflate bracket.step --radius 1 --subdivisions 2 --fit circumscribed -o grown.off --json"}},
-                inflated);
+                  "blossom inflate bracket.step --radius 1 --subdivisions 2 --fit circumscribed -o grown.off --json",
+                  "blossom inflate part.stl diamond.off --size 0.5 -o grown.off"}})
+      .evaluate([](const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
+        return grown(inflated, p, inputs, progress);
+      });
 }
 
 FeatureType meltFeature() {
-  return growth(
-      {"morphology.melt",
-       "Melt",
-       "A solid melted by a ball: every point farther than the radius from its outside.",
-       "Depth by which it melts.",
-       "melt",
-       {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj"}},
-      melted);
+  using P = GrowParameters;
+  return growth({"morphology.melt",
+                 "Melt",
+                 "A solid melted by a ball or another shape: every point farther than the radius from its outside.",
+                 "A shape to melt by in place of the ball, about the origin.",
+                 "Depth by which it melts; of the ball.",
+                 "melt",
+                 {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj",
+                  "blossom melt ice.step --until nothing --rounding 0.5 --frames 12 --control ease-out -o frame.obj"}})
+      .parameter("until", &P::until, choice({"size", "nothing"}),
+                 "How far it melts: by the radius or size, or as far as anything is left.")
+      .parameter("rounding", &P::rounding, ratio(),
+                 "What is left is rounded by this share of the depth, as ice is: edges and thin places go first.")
+      .evaluate(
+          [](const P& p, const Inputs& inputs, const Progress& progress) { return grown(melted, p, inputs, progress); });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
-#include "kernel/control.h"
 
 namespace blossom::morphology {
 
@@ -9,64 +11,80 @@ namespace {
 struct MorphParameters {
   double t = 0.5;
   int frames = 0;
+  std::vector<double> blossom;
   Control control = Control::Linear;
   Value curve = Value::array();
   double deviation = 0.05;
 };
 
-std::vector<ControlPoint> pointsOf(const Value& curve) {
-  std::vector<ControlPoint> points;
-  for (const Value& pair : curve) points.push_back({pair.at(0).get<double>(), pair.at(1).get<double>()});
-  return points;
+/// Of each of n + 1 solids at n arguments: the blossom of the Bernstein polynomial, one product of t and 1 - t for every way
+/// to choose.
+std::vector<double> weightsAt(const std::vector<double>& arguments) {
+  std::vector<double> weights{1};
+  for (const double t : arguments) {
+    weights.push_back(0);
+    for (std::size_t k = weights.size(); k-- > 0;) weights[k] = (1 - t) * weights[k] + (k > 0 ? t * weights[k - 1] : 0);
+  }
+  return weights;
 }
 
-ParameterSpec unitCurve() {
-  ParameterSpec spec = controlCurve();
-  spec.minimum = 0;
-  spec.maximum = 1;
-  return spec;
+void checkBlossom(const MorphParameters& p, std::size_t solids) {
+  if (p.blossom.empty()) return;
+  if (p.frames > 0)
+    throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one solid, not a sequence of frames.",
+                "Leave out the frames or the blossom parameters.");
+  if (p.blossom.size() + 1 != solids)
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} blossom parameters are given for {} solids.", p.blossom.size(), solids),
+                fmt::format("Give {} of them: one for each solid after the first.", solids - 1));
+}
+
+std::vector<Operand> solidsOf(const Inputs& inputs, double deviation, const Progress& progress) {
+  std::vector<Operand> solids;
+  for (const Shape& shape : inputs.of(0))
+    solids.push_back(operandOf(shape, {deviation, fmt::format("Solid {}", solids.size() + 1), true}, progress));
+  return solids;
 }
 
 Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first solid", true}, progress);
-  const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second solid", true}, progress);
+  const std::vector<Operand> solids = solidsOf(inputs, p.deviation, progress);
+  checkBlossom(p, solids.size());
   const std::vector<double> times = p.frames > 0 ? frameTimes(p.frames) : std::vector<double>{p.t};
-  const std::vector<ControlPoint> points = pointsOf(p.curve);
-  std::vector<double> weights;
-  weights.reserve(times.size());
-  for (const double t : times) weights.push_back(controlValue(p.control, points, t));
-  Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress), p.frames > 0 ? times : std::vector<double>());
-  out.stats["weights"] = weights;
+  std::vector<std::vector<double>> weights;
+  for (const double t : controlled(p.control, p.curve, times))
+    weights.push_back(weightsAt(p.blossom.empty() ? std::vector<double>(solids.size() - 1, t) : p.blossom));
+  Evaluated out = evaluatedFrom(solidMorph(solids, weights, progress), p.frames > 0 ? times : std::vector<double>());
+  out.stats["weights"] = p.frames > 0 ? Value(weights) : Value(weights.front());
   return out;
 }
 
 FeatureType morphFeature() {
   using P = MorphParameters;
-  const std::vector<ShapeKind> kinds{ShapeKind::Mesh, ShapeKind::Brep};
   return feature<P>("morphology.solid-morph", "Solid morph",
-                    "The in-between solids of two solids with any numbers of holes and corners.")
+                    "The in-between solids of two or more solids with any numbers of holes and corners.")
       .icon("solid-morph")
       .produces({ShapeKind::Mesh})
-      .playedBy({.parameter = "frames"})
-      .input({.name = "from",
-              .help = "The solid at t = 0.",
-              .kinds = kinds,
+      .playedBy({.parameter = "frames", .excludedBy = "blossom"})
+      .input({.name = "solids",
+              .help =
+                  "Solids from t = 0 to t = 1; those between pull the morph towards them, as the poles of a Bezier curve "
+                  "do.",
+              .kinds = solidKinds,
+              .minimum = 2,
+              .maximum = anyNumber,
               .use = InputUse::Control,
-              .asks = "a solid to begin with"})
-      .input({.name = "to",
-              .help = "The solid at t = 1.",
-              .kinds = kinds,
-              .use = InputUse::Control,
-              .asks = "a solid to end with"})
-      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first solid) to 1 (the second).")
+              .asks = "solids to morph"})
+      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first solid) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 1000), "Number of solids of a sequence from 0 to 1; 0 makes the one at t.")
-      .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),
-                 "Growth of the share of the second solid with t.")
-      .parameter("curve", &P::curve, onlyFor(unitCurve(), "control", {"curve"}),
-                 "The share of the second solid at times t, when control is curve; linear between them.")
+      .parameter("blossom", &P::blossom, list(ratio()),
+                 "One number for each solid after the first, instead of t; all equal, they are t.")
+      .parameter("control", &P::control, controlChoice(), "Growth of the share of later solids with t.")
+      .parameter("curve", &P::curve, controlCurveSpec(),
+                 "The value that takes the place of t at times t; linear between them.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
-      .example("blossom solid-morph a.step b.step --frames 9 --control ease -o frame.obj")
+      .example("blossom solid-morph a.step b.step c.step --frames 9 --control ease -o frame.obj")
+      .example("blossom solid-morph a.stl b.stl c.stl --blossom 0.2,0.9 -o between.off")
       .example("blossom solid-morph a.stl b.stl --frames 5 --control curve --curve 0:0,0.5:0.9,1:1 -o frame.off")
       .evaluate(morphed);
 }

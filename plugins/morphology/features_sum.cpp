@@ -7,10 +7,6 @@ namespace blossom::morphology {
 
 namespace {
 
-const std::vector<ShapeKind> solidKinds{ShapeKind::Mesh, ShapeKind::Brep};
-const std::vector<ShapeKind> elementKinds{ShapeKind::Mesh, ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves,
-                                          ShapeKind::Curve};
-
 struct SumParameters {
   double deviation = 0.05;
 };
@@ -111,10 +107,52 @@ FeatureType closeFeature() {
                  solidClosing);
 }
 
+struct RoundParameters {
+  double radius = 1;
+  RoundedEdges edges = RoundedEdges::Both;
+  int subdivisions = 2;
+  double deviation = 0.05;
+};
+
+Evaluated rounded(const RoundParameters& p, const Inputs& inputs, const Progress& progress) {
+  const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
+  BallResult made = ball({p.radius, p.subdivisions});
+  Operand element;
+  element.name = "The ball";
+  element.mesh = std::move(made.mesh);
+  Evaluated out = evaluatedFrom(solidRounded(solid, element, p.edges, progress));
+  out.stats["ball_deviation"] = made.deviation;
+  return out;
+}
+
+FeatureType roundFeature() {
+  using P = RoundParameters;
+  auto made = feature<P>("morphology.solid-round", "Round solid",
+                         "A solid whose edges and corners are all rounded by a ball, as far as there is room for it.");
+  made.icon("solid-round")
+      .produces({ShapeKind::Mesh})
+      .input({.name = "solid",
+              .help = "The solid that is changed.",
+              .kinds = solidKinds,
+              .use = InputUse::Consumed,
+              .asks = "a solid to round"})
+      .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
+      .parameter("edges", &P::edges, choice({"convex", "reflex", "both"}),
+                 "Which edges are rounded: outer ones, inner ones, or both. Thin walls go with the outer ones, narrow slots "
+                 "with the inner ones.")
+      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
+                 "Fineness of the ball: 20 faces, with each subdivision four times as many.")
+      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+      .example("blossom solid-round part.stl --radius 2 -o rounded.stl")
+      .example("blossom solid-round bracket.step --radius 1 --edges convex --subdivisions 3 -o rounded.off --json");
+  return inWorker(made.evaluate(rounded), {.activity = "for the rounding"});
+}
+
 }  // namespace
 
 void registerSums(Registry& registry) {
-  registry.addAll(inWorker(sumFeature(), {.activity = "for the sum"}), differenceFeature(), openFeature(), closeFeature());
+  registry.addAll(inWorker(sumFeature(), {.activity = "for the sum"}), differenceFeature(), openFeature(), closeFeature(),
+                  roundFeature());
 }
 
 }  // namespace blossom::morphology

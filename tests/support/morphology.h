@@ -14,6 +14,12 @@ inline Mesh solidDifferenceOf(const Mesh& a, const Mesh& b) {
 }
 inline Mesh openingOf(const Mesh& a, const Mesh& b) { return morphology::solidOpening(bodyOf(a), bodyOf(b)).solids.front(); }
 inline Mesh closingOf(const Mesh& a, const Mesh& b) { return morphology::solidClosing(bodyOf(a), bodyOf(b)).solids.front(); }
+/// The in-between solids with these weights of the second one.
+inline morphology::MorphologyResult morphOf(const Mesh& a, const Mesh& b, const std::vector<double>& weights) {
+  std::vector<std::vector<double>> rows;
+  for (const double w : weights) rows.push_back({1 - w, w});
+  return morphology::solidMorph({bodyOf(a), bodyOf(b)}, rows);
+}
 inline Mesh ballOf(double radius, int subdivisions = 1) { return morphology::ball({radius, subdivisions}).mesh; }
 
 }  // namespace blossom::test

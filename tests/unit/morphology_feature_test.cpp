@@ -71,6 +71,18 @@ class MorphologyFeatureTest : public QObject {
     COMPARE_NEAR(volume(curve), 4 * 2 * 1, 1e-12);
   }
 
+  /// The product of the weights along x is that of no single t.
+  void blossoms() {
+    const std::vector<Shape> solids{cuboid({0, 0, 0}, {1, 1, 1}), cuboid({0, 0, 0}, {5, 1, 1}),
+                                    cuboid({0, 0, 0}, {2, 1, 1})};
+    const Evaluated between = made("solid-morph", {{"blossom", {0.2, 0.9}}}, solids);
+    COMPARE_NEAR(volume(between), 0.8 * 0.1 * 1 + (0.2 * 0.1 + 0.8 * 0.9) * 5 + 0.2 * 0.9 * 2, 1e-12);
+    COMPARE_NEAR(volume(made("solid-morph", {{"blossom", {0.3, 0.3}}}, solids)),
+                 volume(made("solid-morph", {{"t", 0.3}}, solids)), 1e-12);
+    VERIFY_ERROR(made("solid-morph", {{"blossom", {0.2}}}, solids), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(made("solid-morph", {{"blossom", {0.2, 0.9}}, {"frames", 3}}, solids), ErrorCode::InvalidParameter);
+  }
+
   void figuresOfTheWork() {
     const Evaluated sum = made("solid-sum", Value::object(), {lBlock(), cornerTetrahedron()});
     for (const char* key : {"candidates", "check_ms", "sum_ms", "unite_ms", "output_ms"})
@@ -128,7 +140,7 @@ class MorphologyFeatureTest : public QObject {
       for (const std::string& example : type->examples)
         QVERIFY2(example.starts_with("blossom " + type->command), example.c_str());
     }
-    QCOMPARE(features, 8);
+    QCOMPARE(features, 9);
     QVERIFY(fs::exists(sourceFolder() / "resources/icons/morphology.svg"));
   }
 

@@ -1,4 +1,4 @@
-#include "morphology/kernel/control.h"
+#include "morphology/kernel/convex/hull.h"
 #include "support/morphology.h"
 #include "support/support.h"
 
@@ -10,10 +10,10 @@ using std::numbers::pi;
 namespace {
 
 Mesh melt(const Mesh& solid, double radius, int subdivisions = 1) {
-  return melted(bodyOf(solid), {.radii = {radius}, .subdivisions = subdivisions}).solids.front();
+  return melted(bodyOf(solid), {.sizes = {radius}, .subdivisions = subdivisions}).solids.front();
 }
 Mesh inflate(const Mesh& solid, double radius, int subdivisions = 1, BallFit fit = BallFit::Inscribed) {
-  return inflated(bodyOf(solid), {.radii = {radius}, .subdivisions = subdivisions, .fit = fit}).solids.front();
+  return inflated(bodyOf(solid), {.sizes = {radius}, .subdivisions = subdivisions, .fit = fit}).solids.front();
 }
 
 std::vector<double> volumesOf(const MorphologyResult& result) {
@@ -24,7 +24,7 @@ std::vector<double> volumesOf(const MorphologyResult& result) {
 
 }  // namespace
 
-/// Balls, inflating, melting and morphs of solids.
+/// Balls, inflating, melting and rounding of solids.
 class MorphologyGrowthTest : public QObject {
   Q_OBJECT
 
@@ -86,8 +86,8 @@ class MorphologyGrowthTest : public QObject {
 
   void aSequenceGrowsAndMelts() {
     const std::vector<double> radii{0, 0.1, 0.2, 0.3};
-    const MorphologyResult grown = inflated(bodyOf(lBlock()), {.radii = radii});
-    const MorphologyResult gone = melted(bodyOf(lBlock()), {.radii = radii});
+    const MorphologyResult grown = inflated(bodyOf(lBlock()), {.sizes = radii});
+    const MorphologyResult gone = melted(bodyOf(lBlock()), {.sizes = radii});
     QCOMPARE(grown.solids.size(), radii.size());
     QCOMPARE(gone.solids.size(), radii.size());
     const auto larger = volumesOf(grown), smaller = volumesOf(gone);
@@ -103,68 +103,76 @@ class MorphologyGrowthTest : public QObject {
   }
 
   void meltingEndsWhereNothingIsLeft() {
-    const MorphologyResult gone = melted(bodyOf(lBlock()), {.radii = {0, 0.25, 0.5, 0.75, 1}});
+    const MorphologyResult gone = melted(bodyOf(lBlock()), {.sizes = {0, 0.25, 0.5, 0.75, 1}});
     QVERIFY(gone.solids.size() == 2 || gone.solids.size() == 3);
     QCOMPARE(gone.warnings.size(), std::size_t{1});
     VERIFY_ERROR(melt(lBlock(), 3), ErrorCode::Degenerate);
-    VERIFY_ERROR(melted(bodyOf(cuboid({0, 0, 0}, {1, 1, 1})), {.radii = {0, 5}}), ErrorCode::Degenerate);
+    VERIFY_ERROR(melted(bodyOf(cuboid({0, 0, 0}, {1, 1, 1})), {.sizes = {0, 5}}), ErrorCode::Degenerate);
   }
 
-  void aMorphBeginsAndEndsWithItsSolids() {
-    const Mesh a = lBlock(), b = movedBy(frameBlock(3, 1, 0, 1), {20, 0, 0});
-    const MorphologyResult made = solidMorph(bodyOf(a), bodyOf(b), {0, 0.5, 1});
-    QCOMPARE(made.solids.size(), std::size_t{3});
-    COMPARE_NEAR(volumeOf(made.solids[0]), volumeOf(a), tiny * 14);
-    COMPARE_NEAR(volumeOf(made.solids[2]), volumeOf(b), tiny * 40);
-    QCOMPARE(genusOf(made.solids[0]), 0);
-    QCOMPARE(genusOf(made.solids[2]), 1);
-    // Bounding boxes blend, centres too (Theorem 1).
-    const Bounds first = boundsOf(a), last = boundsOf(b), middle = boundsOf(made.solids[1]);
-    QVERIFY((middle.low - (first.low + last.low) / 2).norm() < tiny);
-    QVERIFY((middle.high - (first.high + last.high) / 2).norm() < tiny);
-    qInfo("figure morph_ends_error %.3g",
-          std::abs(volumeOf(made.solids[0]) - volumeOf(a)) + std::abs(volumeOf(made.solids[2]) - volumeOf(b)));
+  /// What fits in is the room for the element, wherever its origin is.
+  void anyShapeGrowsAndMelts() {
+    const Mesh diamond = hullTriangles({{0.3, 0, 0}, {-0.1, 0, 0}, {0, 0.4, 0.1}, {0, -0.2, 0}, {0, 0, 0.5}});
+    const Mesh solid = lBlock();
+    for (const double size : {0.4, 0.8}) {
+      GrowOptions options{.sizes = {0, size}, .element = bodyOf(diamond)};
+      const Mesh melted_ = melted(bodyOf(solid), options).solids.back(),
+                 grown = inflated(bodyOf(solid), options).solids.back();
+      const Mesh element = scaledBy(diamond, size), less = solidDifferenceOf(solid, element),
+                 more = solidSumOf(solid, element);
+      COMPARE_NEAR(volumeOf(melted_), volumeOf(less), tiny);
+      COMPARE_NEAR(volumeOf(grown), volumeOf(more), tiny);
+      QVERIFY((boundsOf(melted_).low - boundsOf(less).low).norm() < tiny);
+      QVERIFY((boundsOf(grown).high - boundsOf(more).high).norm() < tiny);
+    }
+    // A segment takes its length away.
+    Operand segment;
+    segment.form = Operand::Form::Lines;
+    segment.pieces = {{Vec3(0, 0, 0), Vec3(0, 0, 2)}};
+    COMPARE_NEAR(volumeOf(melted(bodyOf(solid), {.sizes = {0.5}, .element = segment}).solids.front()), 7, tiny);
   }
 
-  void aMorphOfCuboidsBlendsTheirSides() {
-    const Vec3 a(1, 2, 3), b(4, 2, 1);
-    for (const double w : {0.1, 0.25, 0.5, 0.9}) {
-      const MorphologyResult made = solidMorph(bodyOf(cuboid({0, 0, 0}, a)), bodyOf(cuboid({0, 0, 0}, b)), {w});
-      COMPARE_NEAR(volumeOf(made.solids.front()), ((1 - w) * a + w * b).prod(), tiny * 20);
+  /// Melting on and growing again is the opening of what is left.
+  void whatMeltsIsRounded() {
+    for (const Mesh& solid : {lBlock(), cuboid({0, 0, 0}, {4, 3, 2})}) {
+      const Mesh rounded = melted(bodyOf(solid), {.sizes = {0.2}, .rounding = 0.5}).solids.front();
+      const Mesh sharp = melt(solid, 0.2);
+      COMPARE_NEAR(volumeOf(rounded), volumeOf(openingOf(sharp, ballOf(0.1))), tiny);
+      QVERIFY(volumeOf(rounded) < volumeOf(sharp) - 1e-4);
+      QVERIFY((boundsOf(rounded).low - boundsOf(sharp).low).norm() < tiny);
     }
   }
 
-  // Figure 6 of the paper: a quadrilateral becomes a triangle.
-  void aBlockBecomesAWedge() {
-    const Mesh block = prism({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 0, 1), wedge = prism({{0, 0}, {2, 0}, {0, 2}}, 0, 1);
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const double s = 1 - t;  // areas: of the square s^2 4, of the triangle t^2 2, mixed 2 s t 2 2
-      const double expected = 4 * s * s + 2 * t * t + s * t * (2 * 2 + 2 * 2);
-      const Mesh made = solidMorph(bodyOf(block), bodyOf(wedge), {t}).solids.front();
-      COMPARE_NEAR(volumeOf(made), expected, tiny);
-      QCOMPARE(made.faceCount(), std::size_t{t == 0 ? 6u : t == 1 ? 5u : 7u});
-    }
+  void itMeltsUntilNothingIsLeft() {
+    const Bounds reach = boundsOf(ballOf(1));
+    const double exact = 2 / (reach.high - reach.low).z();  // half of the shortest side, but for the facets of the ball
+    const MorphologyResult all = melted(bodyOf(cuboid({0, 0, 0}, {4, 3, 2})), {.sizes = {0, 0.5, 1}, .untilNothing = true});
+    QCOMPARE(all.solids.size(), std::size_t{3});
+    QVERIFY(all.stats.largestSize <= exact && all.stats.largestSize > 0.998 * exact);
+    QVERIFY(volumeOf(all.solids[2]) < 0.01 * 24);
+    const MorphologyResult rough = melted(bodyOf(lBlock()), {.sizes = {1}, .rounding = 0.3, .untilNothing = true});
+    QVERIFY(volumeOf(rough.solids.front()) > 0);
+    VERIFY_ERROR(melted(bodyOf(lBlock()), {.sizes = {1.002 * rough.stats.largestSize}, .rounding = 0.3}),
+                 ErrorCode::Degenerate);
+    Operand point;
+    point.form = Operand::Form::Points;
+    point.pieces = {{Vec3(1, 0, 0)}};
+    VERIFY_ERROR(melted(bodyOf(lBlock()), {.sizes = {1}, .element = point, .untilNothing = true}), ErrorCode::InvalidInput);
   }
 
-  void controlFunctions() {
-    for (const Control control : {Control::Linear, Control::Ease, Control::EaseIn, Control::EaseOut}) {
-      COMPARE_NEAR(controlValue(control, {}, 0), 0, 0);
-      COMPARE_NEAR(controlValue(control, {}, 1), 1, 0);
-      double before = 0;
-      for (double t = 0.05; t < 1; t += 0.05) {
-        const double value = controlValue(control, {}, t);
-        QVERIFY(value > before && value < 1);
-        before = value;
-      }
-    }
-    COMPARE_NEAR(controlValue(Control::Ease, {}, 0.5), 0.5, 1e-15);
-    COMPARE_NEAR(controlValue(Control::EaseIn, {}, 0.5), 0.25, 1e-15);
-    COMPARE_NEAR(controlValue(Control::EaseOut, {}, 0.5), 0.75, 1e-15);
-    const std::vector<ControlPoint> curve{{0.2, 0.1}, {0.4, 0.9}, {0.4, 0.3}, {1, 1}};
-    COMPARE_NEAR(controlValue(Control::Curve, curve, 0), 0.1, 1e-15);
-    COMPARE_NEAR(controlValue(Control::Curve, curve, 0.3), 0.5, 1e-15);
-    COMPARE_NEAR(controlValue(Control::Curve, curve, 0.7), 0.65, 1e-15);
-    VERIFY_ERROR(controlValue(Control::Curve, {}, 0.5), ErrorCode::InvalidParameter);
+  void allEdgesAreRounded() {
+    const Vec3 sides(4, 3, 2);
+    const Operand ball_ = bodyOf(ballOf(0.3, 2));
+    const Bounds reach = boundsOf(ball_.mesh);
+    const double box = volumeWithCuboid(ball_.mesh, sides - (reach.high - reach.low));
+    for (const RoundedEdges edges : {RoundedEdges::Convex, RoundedEdges::Both})
+      COMPARE_NEAR(volumeOf(solidRounded(bodyOf(cuboid({0, 0, 0}, sides)), ball_, edges).solids.front()), box, tiny * box);
+    const auto ofL = [&](RoundedEdges edges) {
+      return volumeOf(solidRounded(bodyOf(lBlock()), ball_, edges).solids.front());
+    };
+    QVERIFY(ofL(RoundedEdges::Convex) < ofL(RoundedEdges::Both));
+    QVERIFY(ofL(RoundedEdges::Both) < ofL(RoundedEdges::Reflex));
+    QVERIFY(ofL(RoundedEdges::Reflex) > 14);
   }
 };
 

@@ -103,7 +103,7 @@ class MorphologyPrismTest : public QObject {
   void aMorphIsOneOfSections() {
     const Mesh a = prism(starOutline(5, 10, 4), 0, 3), b = prism(starOutline(7, 8, 5), -1, 1);
     const std::vector<double> weights{0, 0.25, 0.5, 0.75, 1};
-    const MorphologyResult morph = solidMorph(bodyOf(a), bodyOf(b), weights);
+    const MorphologyResult morph = morphOf(a, b, weights);
     QVERIFY(morph.stats.way == Way::Prisms);
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const double w = weights[k];

@@ -41,7 +41,7 @@ Mesh anyResult(std::mt19937_64& random, const Mesh& a, const Mesh& b) {
     case 2:
       return closingOf(a, scaledBy(b, 0.5));
     case 3:
-      return solidMorph(bodyOf(a), bodyOf(b), {std::uniform_real_distribution<double>(0, 1)(random)}).solids.front();
+      return morphOf(a, b, {std::uniform_real_distribution<double>(0, 1)(random)}).solids.front();
     default:
       return solidSumOf(a, b);
   }

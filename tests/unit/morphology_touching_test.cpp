@@ -90,7 +90,7 @@ class MorphologyTouchingTest : public QObject {
     COMPARE_NEAR(volumeOf(solidSumOf(ring, half)), volumeOfSum(openRing()), 1e-12);
     COMPARE_NEAR(volumeOf(solidDifferenceOf(ring, half)), volumeOfDifference(openRing()), 1e-12);
     COMPARE_NEAR(volumeOf(solidSumOf(half, ring)), volumeOfSum(openRing()), 1e-12);
-    COMPARE_NEAR(volumeOf(solidMorph(bodyOf(ring), bodyOf(half), {0}).solids.front()), 7, 1e-12);
+    COMPARE_NEAR(volumeOf(morphOf(ring, half, {0}).solids.front()), 7, 1e-12);
   }
 
   void cellsThatTouchAnyhow() {
@@ -150,7 +150,7 @@ class MorphologyTouchingTest : public QObject {
     const Mesh cube = unitCell();
     const Mesh overlapping = together(cube, movedBy(cube, {0.5, 0.25, 0.125}));
     const Mesh onAFace = together(cube, tetrahedron({0.5, 0.5, 1}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}));
-    const auto end = [&](const Mesh& solid) { return solidMorph(bodyOf(solid), bodyOf(cube), {0}).solids.front(); };
+    const auto end = [&](const Mesh& solid) { return morphOf(solid, cube, {0}).solids.front(); };
     COMPARE_NEAR(volumeOf(end(overlapping)), 2 - 0.5 * 0.75 * 0.875, 1e-12);
     COMPARE_NEAR(volumeOf(end(onAFace)), 1 + 1.0 / 6, 1e-12);
     QVERIFY(!firstCrossing(end(overlapping)) && !firstCrossing(end(onAFace)));

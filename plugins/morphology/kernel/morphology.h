@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ enum class Way {
 struct MorphologyStats {
   Way way = Way::Arranged;     ///< of the last frame
   std::size_t candidates = 0;  ///< facets that may bound the sums
+  std::size_t pairings = 0;    ///< searches for them; the frames of a morph of two solids share one
+  double largestSize = 0;      ///< of which `melted` leaves anything, when it was asked for
   double checkMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;
 };
 
@@ -49,20 +52,33 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
 /// (A + B) - B: A and all places that B cannot reach from outside.
 MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
-/// (1 - w) A + w B for every weight w in 0..1 (Definition 9, w = f(t)); A itself at 0, B itself at 1. Both are solids.
-MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
+/// The sum of `weights[k] * shapes[k]` for every row of weights (Definition 9, with w = f(t), for any number of shapes). The
+/// shapes are solids; a shape of weight 1 is itself.
+/// @param weights at least 0, of sum 1, one row for each frame and one weight for each shape
+MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
                             const Progress& = Progress::none());
 
+/// What a solid is grown or melted by.
 struct GrowOptions {
-  std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 for the solid itself
-  int subdivisions = 1;          ///< of the ball
+  std::vector<double> sizes{1};  ///< one solid each: radii of the ball in mm, or factors of the element; 0: the solid itself
+  std::optional<Operand> element{};  ///< scaled about the origin; none: a ball
+  int subdivisions = 1;              ///< of the ball
   BallFit fit = BallFit::Inscribed;
+  /// Of `melted`: what is left is rounded by so many times the size, as if the melting had gone on for so long and the rest
+  /// had grown again: edges and thin places go first.
+  double rounding = 0;
+  bool untilNothing = false;  ///< of `melted`: sizes are shares of the largest one of which anything is left
 };
 
-/// A + ball (section 3.2).
+/// A + s B for the ball or element B (section 3.2).
 MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
-/// A - ball. The paper writes A + tB here too, but means the difference. Ends before the first radius at which nothing is
-/// left, with a warning. @throws Error Degenerate when nothing is left at the first radius.
+/// A - s B, rounded: (A - s (1 + r) B) + s r B. The paper writes A + tB here too, but means the difference. Ends before the
+/// first size at which nothing is left, with a warning. The largest size of all is found to a thousandth of itself, by
+/// halving. @throws Error Degenerate when nothing is left at the first size.
 MorphologyResult melted(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
+
+/// A solid without edges sharper than a ball of the given radius: its opening by the ball, closed by it.
+enum class RoundedEdges { Convex, Reflex, Both };
+MorphologyResult solidRounded(const Operand& a, const Operand& ball, RoundedEdges, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

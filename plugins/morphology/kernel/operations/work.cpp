@@ -67,6 +67,7 @@ Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
                 "Leave out details that are too small for its size, or choose shapes of more similar size.");
   stats_.way = Way::Arranged;
   stats_.candidates += made->candidates;
+  ++stats_.pairings;
   stats_.sumMs += made->candidatesMs;
   stats_.uniteMs += made->arrangementMs + made->cellsMs;
   return std::move(made->triangles);

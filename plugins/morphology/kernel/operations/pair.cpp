@@ -1,0 +1,51 @@
+#include "kernel/operations/pair.h"
+
+#include "core/error.h"
+#include "kernel/convex/convex_sum.h"
+#include "kernel/convex/hull.h"
+
+namespace blossom::morphology {
+
+Pair preparedPair(Work& work, const Operand& a, const Operand& b) {
+  const CommonGrid grid = gridFor(a.bounds(), b.bounds());
+  Pair pair{grid, work.prepare(a, grid, 0, 0.05), {}};
+  pair.b = work.prepare(b, grid, 0.05, 0.1);
+  return pair;
+}
+
+std::optional<PrismPair> asPrisms(const Prepared& first, const Prepared& second) {
+  for (const Prism& a : first.prisms)
+    for (const Prism& b : second.prisms)
+      if (a.axis == b.axis) return PrismPair{a, b};
+  return std::nullopt;
+}
+
+ConvexSums::ConvexSums(const Mesh& a, const Mesh& b, Work& work) : a_(a), b_(b), work_(work) {
+  Stopwatch watch;
+  corners_ = cornersOfSum(a_, b_, work.progress());
+  MorphologyStats& stats = work_.stats();
+  stats.way = Way::Hulls;
+  ++stats.pairings;
+  stats.sumMs += watch.lapMs();
+}
+
+Mesh ConvexSums::sum(double weightA, double weightB) {
+  Stopwatch watch;
+  Mesh made = hullTriangles(pointsOfSum(a_, weightA, b_, weightB, corners_));
+  MorphologyStats& stats = work_.stats();
+  stats.candidates += made.faceCount();
+  stats.sumMs += watch.lapMs();
+  return made;
+}
+
+Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid,
+              double from, double to) {
+  if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
+  Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to);
+  if (sum.faceCount() == 0)
+    throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
+                "Choose a solid for one of them.");
+  return sum;
+}
+
+}  // namespace blossom::morphology

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "core/error.h"
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
@@ -39,10 +41,16 @@ void checkBlossom(const MorphParameters& p, std::size_t solids) {
                 fmt::format("Give {} of them: one for each solid after the first.", solids - 1));
 }
 
+/// "The first solid".
+std::string nameOf(std::size_t solid) {
+  constexpr std::array<const char*, 5> ordinals{"first", "second", "third", "fourth", "fifth"};
+  return solid < ordinals.size() ? fmt::format("The {} solid", ordinals[solid]) : fmt::format("Solid {}", solid + 1);
+}
+
 std::vector<Operand> solidsOf(const Inputs& inputs, double deviation, const Progress& progress) {
   std::vector<Operand> solids;
   for (const Shape& shape : inputs.of(0))
-    solids.push_back(operandOf(shape, {deviation, fmt::format("Solid {}", solids.size() + 1), true}, progress));
+    solids.push_back(operandOf(shape, {deviation, nameOf(solids.size()), true}, progress));
   return solids;
 }
 

@@ -52,7 +52,7 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
   if (made.smallestBend > 0 && made.smallestBend <= made.reach)
     out.warnings.push_back(
         fmt::format("The path bends to a radius of {:.4g} mm near v = {:.4g}, and the section reaches {:.4g} mm: the "
-                    "surface folds there.",
+                    "surface may fold there.",
                     made.smallestBend, made.bendAt, made.reach));
 }
 

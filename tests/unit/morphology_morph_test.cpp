@@ -29,12 +29,14 @@ class MorphologyMorphTest : public QObject {
   void anySolidsAreBlended() {
     std::mt19937_64 random = seededRandom();
     for (int round = 0; round < 4; ++round) {
-      const std::vector<Mesh> solids{movedBy(lBlock(), {1, 2, 3}), spikyCube(random, 2), turnedBy(frameBlock(2, 1, 0, 1), randomTurn(random))};
+      const std::vector<Mesh> solids{movedBy(lBlock(), {1, 2, 3}), spikyCube(random, 2),
+                                     turnedBy(frameBlock(2, 1, 0, 1), randomTurn(random))};
       const std::vector<double> w{0.2, 0.5, 0.3};
       std::vector<Operand> operands;
       for (const Mesh& solid : solids) operands.push_back(bodyOf(solid));
       const Mesh made = solidMorph(operands, {w}).solids.front();
-      const Mesh other = solidSumOf(scaledBy(solids[2], w[2]), solidSumOf(scaledBy(solids[1], w[1]), scaledBy(solids[0], w[0])));
+      const Mesh other =
+          solidSumOf(scaledBy(solids[2], w[2]), solidSumOf(scaledBy(solids[1], w[1]), scaledBy(solids[0], w[0])));
       COMPARE_NEAR(volumeOf(made), volumeOf(other), tiny * volumeOf(other));
       COMPARE_NEAR(areaOf(made), areaOf(other), tiny * areaOf(other));
       QVERIFY((boundsOf(made).low - boundsOf(other).low).norm() < 1e-9);

@@ -105,6 +105,27 @@ class SweepFoldTest : public QObject {
     }
   }
 
+  /// However many samples there are along the edge.
+  void aSharpEdgeHidesNoFold() {
+    constexpr double turn = 130 * std::numbers::pi / 180;
+    const Vec2 along(10 * std::cos(turn), 10 * std::sin(turn)), at = Vec2(10, 0) + along;
+    for (const int spans : {1, 2, 4, 8, 9, 16}) {
+      std::vector<double> knots{0};
+      for (int k = 0; k <= spans; ++k) knots.push_back(static_cast<double>(k) / spans);
+      knots.push_back(1);
+      Motion motion;
+      motion.point = Vec3(1, 1, 1);
+      motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 40, 0, 1)}};
+      motion.orientation = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Vec4>(4, Vec4(1, 0, 0, 0))};
+      motion.scaling = {1, 1, {0, 0, 0.25, 0.5, 0.75, 1, 1}, knots, {}};
+      for (const Vec2& p : {Vec2(0, 0), Vec2(10, 0), at, Vec2(at + Vec2(10, 0)), Vec2(at + Vec2(5, 0))})
+        motion.scaling.poles.insert(motion.scaling.poles.end(), static_cast<std::size_t>(spans) + 1,
+                                    Vec4(p.x(), 0, p.y(), 1));
+      const auto fold = examine(motion).fold;
+      QVERIFY2(fold && std::abs(fold->u - 0.75) < 0.01, qPrintable(QString::number(spans)));
+    }
+  }
+
   /// Two parts of a thin blade meet in an edge of a few degrees: no fold.
   void aSharpEdgeIsNoFold() {
     for (const double degrees : {1.0, 5.0, 20.0}) {

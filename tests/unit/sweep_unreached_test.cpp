@@ -98,6 +98,43 @@ class SweepUnreachedTest : public QObject {
     QVERIFY(before > wildSwing);
   }
 
+  /// Of places far from each other each is judged for itself.
+  void aWildEditIsToldBesideALargeOne() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const auto on = [&](double u, double v) { return evaluate(motion, u, v).point; };
+    MotionPull close{{{0.5, 0.5}, {0.5, 0.503}}, {on(0.5, 0.5) + Vec3(1, 0, 0), on(0.5, 0.503) - Vec3(1, 0, 0)}, {0, 0, 1}};
+    const EditResult alone = pull(motion, close);
+    QVERIFY(alone.swing > wildSwing);
+    close.at.push_back({0, 0.5});
+    close.to.push_back(on(0, 0.5) + Vec3(100, 0, 0));
+    const EditResult beside = pull(motion, close);
+    COMPARE_NEAR(beside.swing, alone.swing, 1e-6 * alone.swing);
+    QVERIFY(beside.obstacles.empty());
+  }
+
+  /// Two places that go the same way by one factor ask nothing of the others.
+  void roundingIsNoWish() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const Vec3 by(7.3, 1.1, 2.7);
+    for (const double apart : {0.005, 0.001}) {
+      const MotionPlace a{0.125, 0.5}, b{0.125 + apart, 0.5};
+      const MotionPull both{
+          {a, b}, {evaluate(motion, a.u, a.v).point + by, evaluate(motion, b.u, b.v).point + by}, {1, 1, 1}};
+      const EditResult moved = pull(motion, both);
+      QVERIFY(moved.obstacles.empty() && moved.swing < 4);
+      QVERIFY(moved.motion.orientation == motion.orientation && moved.motion.scaling == motion.scaling);
+    }
+    // Nor do they get knots for nothing.
+    MotionPull finer{{{0.13, 0.47}}, {evaluate(motion, 0.13, 0.47).point + by}, {1, 1, 1}};
+    finer.level = 3;
+    const EditResult fine = pull(motion, finer);
+    QVERIFY(fine.obstacles.empty());
+    QVERIFY(fine.motion.trajectory.poles.size() > motion.trajectory.poles.size());
+    QVERIFY(fine.motion.orientation == motion.orientation && fine.motion.scaling == motion.scaling);
+    finer.to = {evaluate(motion, 0.13, 0.47).point};
+    QVERIFY(pull(motion, finer).motion == motion);
+  }
+
   void rotationKeepsTheRadius() {
     const EditResult result = pullMiddle({0, 25, 20}, {0, 1, 0});
     QVERIFY(says(result, Unreached::Radius));

@@ -13,6 +13,7 @@
 #include "geometry/occt/occt.h"
 #include "geometry/shape/motion.h"
 #include "support/modeling.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/crossing_cause.h"
 #include "sweep/kernel/quaternion.h"
 
@@ -83,7 +84,31 @@ class SweepWarningsTest : public QObject {
   /// A thin tube along a loop crosses where the path does, and not because it bends.
   void whyItCrosses() {
     const Shape loop = polynomial({{0, 0, 0}, {160, 400, 0}, {-160, 400, 0}, {0, 0, 0.001}});
-    QVERIFY(has(swept({loop}, 0.5), "two parts of the motion that are far apart along v pass through each other"));
+    QVERIFY(has(swept({loop}, 0.5), "two parts of the motion pass through each other"));
+    // Turns of a wide coil that come too near each other, however many there are.
+    for (const double turns : {10.0, 60.0}) {
+      Motion coil;
+      coil.trajectory = {1, {}, {}};
+      constexpr int perTurn = 16;
+      const int count = static_cast<int>(turns) * perTurn;
+      for (int k = 0; k <= count; ++k) {
+        const double angle = 2 * std::numbers::pi * k / perTurn;
+        coil.trajectory.poles.emplace_back(100 * std::cos(angle), 100 * std::sin(angle), 15.0 * k / perTurn, 1);
+        coil.trajectory.knots.push_back(k);
+      }
+      coil.trajectory.knots.insert(coil.trajectory.knots.begin(), 0);
+      coil.trajectory.knots.push_back(count);
+      const Motion tube = primitiveMotion({.radius = 20, .height = 10}).motion;
+      coil.point = tube.point;
+      coil.closedU = tube.closedU;
+      coil.orientation = tube.orientation;
+      coil.scaling = tube.scaling;
+      for (Surface* factor : {&coil.orientation, &coil.scaling})
+        for (double& knot : factor->knotsV) knot *= count;
+      const double v = 4.4 * perTurn;
+      const std::string cause = causeOfCrossing(coil, {0.25, v}, {0.75, v + perTurn}).cause;
+      QVERIFY2(cause.starts_with("two parts of the motion pass through each other"), cause.c_str());
+    }
     // A bend of radius 10 in a tube of radius 12.
     const Evaluated wide = swept({polynomial({{0, -30, 0}, {40, -10, 0}, {40, 10, 0}, {0, 30, 0}})}, 18);
     QVERIFY2(has(wide, "bends or turns more tightly than its sections are wide"), all(wide).c_str());

@@ -45,20 +45,22 @@ class NormalSamples {
   [[nodiscard]] Vec3 normal(const Place& p) const { return grid_.duAt(p.k, p.l).cross(grid_.dvAt(p.k, p.l)); }
   [[nodiscard]] Vec2 parameters(const Place& p) const { return {us_[p.k], vs_[p.l]}; }
 
-  /// Neighbours whose normals point away from each other, the first ones. A sample without a normal, at a pole or just where
-  /// the surface folds, is passed over: what rounding leaves there points anywhere.
-  [[nodiscard]] std::vector<std::pair<Place, Place>> turns() const {
-    constexpr std::size_t most = 64;
-    constexpr double away = -0.5;  // cosine
-    std::vector<std::pair<Place, Place>> found;
-    for (std::size_t k = 0; k < us_.size(); ++k)
-      for (std::size_t l = 0; l < vs_.size(); ++l)
-        for (const Place& step : {Place{1, 0}, Place{0, 1}}) {
-          Place next{k + step.k, l + step.l};
-          if (within(next) && !hasNormal(next)) next = {k + 2 * step.k, l + 2 * step.l};
-          if (!within(next) || !hasNormal({k, l}) || !hasNormal(next) || found.size() == most) continue;
-          if (normal({k, l}).dot(normal(next)) < away * at({k, l}) * at(next)) found.push_back({{k, l}, next});
-        }
+  using Turn = std::pair<Place, Place>;
+  /// Neighbours whose normals point away from each other, some along every line of the grid: a sharp edge along one of them
+  /// does not hide a fold along another. A sample without a normal, at a pole or just where the surface folds, is passed
+  /// over: what rounding leaves there points anywhere.
+  [[nodiscard]] std::vector<Turn> turns() const {
+    std::vector<Turn> found;
+    for (std::size_t k = 0; k < us_.size(); ++k) {
+      std::vector<Turn> acrossU;
+      for (std::size_t l = 0; l < vs_.size(); ++l) addTurn({k, l}, {1, 0}, acrossU);
+      addSome(acrossU, found);
+    }
+    for (std::size_t l = 0; l < vs_.size(); ++l) {
+      std::vector<Turn> acrossV;
+      for (std::size_t k = 0; k < us_.size(); ++k) addTurn({k, l}, {0, 1}, acrossV);
+      addSome(acrossV, found);
+    }
     return found;
   }
 
@@ -95,6 +97,18 @@ class NormalSamples {
   }
 
  private:
+  void addTurn(const Place& from, const Place& step, std::vector<Turn>& turns) const {
+    constexpr double away = -0.5;  // cosine
+    Place next{from.k + step.k, from.l + step.l};
+    if (within(next) && !hasNormal(next)) next = {from.k + 2 * step.k, from.l + 2 * step.l};
+    if (!within(next) || !hasNormal(from) || !hasNormal(next)) return;
+    if (normal(from).dot(normal(next)) < away * at(from) * at(next)) turns.emplace_back(from, next);
+  }
+  static void addSome(const std::vector<Turn>& turns, std::vector<Turn>& found) {
+    constexpr std::size_t most = 8;
+    const std::size_t count = std::min(turns.size(), most);
+    for (std::size_t i = 0; i < count; ++i) found.push_back(turns[i * turns.size() / count]);
+  }
   [[nodiscard]] bool within(const Place& p) const { return p.k < us_.size() && p.l < vs_.size(); }
   [[nodiscard]] bool hasNormal(const Place& p) const { return at(p) > 1e-9 * largest_; }
 

@@ -148,8 +148,8 @@ std::optional<Summand> shapeOf(const Term& term, double step, bool insideOut = f
 bool haveVolume(const Features& a, const Features& b) {
   std::vector<Grid3> along;
   for (const Features* piece : {&a, &b})
-    for (const auto& [from, to] : piece->outline)
-      along.push_back(piece->points[static_cast<std::size_t>(to)] - piece->points[static_cast<std::size_t>(from)]);
+    for (const Features::Edge& edge : piece->edges)
+      along.push_back(piece->points[static_cast<std::size_t>(edge.to)] - piece->points[static_cast<std::size_t>(edge.from)]);
   for (std::size_t i = 0; i < along.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       for (std::size_t k = 0; k < j; ++k)
@@ -158,24 +158,30 @@ bool haveVolume(const Features& a, const Features& b) {
 }
 
 /// Behind the facets of two thin pieces there is their sum only when it has volume.
-std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, const Progress& progress) {
-  if (a.pieces.empty() || b.pieces.empty()) return candidates(a.whole, b.whole, planes, points, progress);
+std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, const FeaturePairs* kept,
+                            const Progress& progress) {
+  const auto found = [&](const Features& p, const Features& q) {
+    return candidates(p, q, nearPairs(p, q, 0, progress), planes, points, progress);
+  };
+  if (kept) return candidates(a.whole, b.whole, *kept, planes, points, progress);
+  if (a.pieces.empty() || b.pieces.empty()) return found(a.whole, b.whole);
   std::vector<Facet> all;
   for (const Features& p : a.pieces)
     for (const Features& q : b.pieces) {
       if (!haveVolume(p, q)) continue;
-      const std::vector<Facet> more = candidates(p, q, planes, points, progress);
+      const std::vector<Facet> more = found(p, q);
       all.insert(all.end(), more.begin(), more.end());
     }
   return all;
 }
 
-ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insideOut, const Progress& progress) {
+ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insideOut, const FeaturePairs* kept,
+                     const Progress& progress) {
   Stopwatch watch;
   Planes planes;
   Points points(planes);
   progress.report(0, "Pairing faces");
-  const std::vector<Facet> facets = facetsOf(a, b, planes, points, progress);
+  const std::vector<Facet> facets = facetsOf(a, b, planes, points, kept, progress);
   ArrangedSum made;
   made.candidates = facets.size();
   made.candidatesMs = watch.lapMs();
@@ -198,16 +204,25 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
 
 }  // namespace
 
-std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress& progress) {
+std::shared_ptr<const FeaturePairs> keptPairs(const Term& a, const Term& b, double step, double leastFactor,
+                                              const Progress& progress) {
+  const auto first = shapeOf(a, step), second = shapeOf(b, step);
+  if (!first || !second) return nullptr;
+  const double rounding = 2 / leastFactor;  // a corner by half a step along each axis, an edge by twice that
+  return std::make_shared<const FeaturePairs>(nearPairs(first->whole, second->whole, rounding, progress));
+}
+
+std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress& progress,
+                                       const FeaturePairs* kept) {
   const auto first = shapeOf(a, step), second = shapeOf(b, step);
   if (!first || !second) return std::nullopt;
-  return arranged(*first, *second, step, false, progress);
+  return arranged(*first, *second, step, false, kept, progress);
 }
 
 std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress& progress) {
   const auto first = shapeOf(a, step, true), second = shapeOf({b.triangles, b.pieces, -b.factor}, step);
   if (!first || !second) return std::nullopt;
-  return arranged(*first, *second, step, true, progress);
+  return arranged(*first, *second, step, true, nullptr, progress);
 }
 
 }  // namespace blossom::morphology

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -7,6 +8,10 @@
 #include "geometry/mesh/mesh.h"
 
 namespace blossom::morphology {
+
+namespace arrangement {
+struct FeaturePairs;
+}
 
 /// A shape times a factor, as it enters a sum: a solid, or what is thinner. @pre coordinates on the grid
 struct Term {
@@ -24,9 +29,17 @@ struct ArrangedSum {
 /// a + b, without taking anything apart: the facets of the three families of the paper (section 2.2) are cut along each
 /// other in exact arithmetic, and those before which there is no sum are its boundary. Terms are scaled, then rounded to the
 /// grid: nothing where that leaves triangles without area. Bodies of a solid may overlap. Parts of the sum without volume
-/// are left out. O(n m) signs for pairs of features, O(k log k) for k facets that meet.
-/// @pre sums reach no further than 2^54 steps. @throws Error Cancelled.
-std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress&);
+/// are left out. O((n + m) log n) for the pairs of n and m features, O(k log k) for k facets that meet.
+/// @param kept what `keptPairs` found for the same solids  @pre sums reach no further than 2^54 steps. @throws Error
+/// Cancelled.
+std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress&,
+                                       const arrangement::FeaturePairs* kept = nullptr);
+
+/// The pairs of features that can make facets of sums of two solids at any factors from `leastFactor` to 1, of which each
+/// sum then takes those that do. (The candidates do not depend on the factors but for rounding.) Nothing when the solids
+/// have triangles without area. @throws Error Cancelled.
+std::shared_ptr<const arrangement::FeaturePairs> keptPairs(const Term& a, const Term& b, double step, double leastFactor,
+                                                           const Progress&);
 
 /// {x : x + b inside a}: the complement of the sum of the complement of a solid and the mirrored b. @pre bodies of the solid
 /// do not overlap

@@ -32,28 +32,20 @@ class Search {
   Search(const Features& a, const Features& b, Planes& planes, Points& points)
       : a_(a), b_(b), planes_(planes), points_(points), sums_(a, b, points) {}
 
-  /// Faces of one at corners of the other.
-  void facesAtCorners(bool facesOfA, const Progress& progress) {
-    const Features &flat = facesOfA ? a_ : b_, &sharp = facesOfA ? b_ : a_;
-    for (const Features::Face& face : flat.faces) {
-      progress.check();
-      for (std::size_t v = 0; v < sharp.points.size(); ++v) {
-        if (!supports(face, sharp.corners[v])) continue;
-        Facet facet;
-        facet.family = facesOfA ? Family::FaceAndCorner : Family::CornerAndFace;
-        const int corner = static_cast<int>(v);
-        for (std::size_t k = 0; k < 3; ++k)
-          facet.corners[k] = facesOfA ? sums_.at(face.corners[k], corner) : sums_.at(corner, face.corners[k]);
-        add(facet, face.normal);
-      }
-    }
+  void faceAtCorner(int face, int corner, bool faceOfA) {
+    const Features &flat = faceOfA ? a_ : b_, &sharp = faceOfA ? b_ : a_;
+    const Features::Face& here = flat.faces[static_cast<std::size_t>(face)];
+    if (!supports(here, sharp.corners[static_cast<std::size_t>(corner)])) return;
+    Facet facet;
+    facet.family = faceOfA ? Family::FaceAndCorner : Family::CornerAndFace;
+    for (std::size_t k = 0; k < 3; ++k)
+      facet.corners[k] = faceOfA ? sums_.at(here.corners[k], corner) : sums_.at(corner, here.corners[k]);
+    add(facet, here.normal);
   }
 
-  void edgesAtEdges(const Progress& progress) {
-    for (const Features::Edge& e : a_.edges) {
-      progress.check();
-      for (const Features::Edge& f : b_.edges) edgeAtEdge(e, f);
-    }
+  void edgeAtEdge(int edgeOfA, int edgeOfB) {
+    const Features::Edge &e = a_.edges[static_cast<std::size_t>(edgeOfA)], &f = b_.edges[static_cast<std::size_t>(edgeOfB)];
+    if (e.isConvex && f.isConvex) edgeAtEdge(e, f);
   }
 
   std::vector<Facet> found() { return std::move(found_); }
@@ -109,12 +101,16 @@ class Search {
 
 }  // namespace
 
-std::vector<Facet> candidates(const Features& a, const Features& b, Planes& planes, Points& points,
-                              const Progress& progress) {
+std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs& pairs, Planes& planes,
+                              Points& points, const Progress& progress) {
   Search search(a, b, planes, points);
-  search.facesAtCorners(true, progress);
-  search.facesAtCorners(false, progress);
-  search.edgesAtEdges(progress);
+  std::size_t count = 0;
+  const auto poll = [&] {
+    if (++count % 1024 == 0) progress.check();
+  };
+  for (const auto& [face, corner] : pairs.facesAndCorners) poll(), search.faceAtCorner(face, corner, true);
+  for (const auto& [corner, face] : pairs.cornersAndFaces) poll(), search.faceAtCorner(face, corner, false);
+  for (const auto& [e, f] : pairs.edges) poll(), search.edgeAtEdge(e, f);
   return search.found();
 }
 

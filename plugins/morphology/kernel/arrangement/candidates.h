@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/arrangement/features.h"
+#include "kernel/arrangement/pairs.h"
 #include "kernel/arrangement/points.h"
 
 namespace blossom::morphology::arrangement {
@@ -22,8 +22,8 @@ struct Facet {
 };
 
 /// Facets that cover the boundary of a + b: a face of one at a corner of the other that its normal supports, and
-/// parallelograms of two convex edges whose common normal supports both (the paper's DHS test, on triangles). O(n m) tests
-/// of signs for n and m features. @throws Error Cancelled.
-std::vector<Facet> candidates(const Features& a, const Features& b, Planes&, Points&, const Progress&);
+/// parallelograms of two convex edges whose common normal supports both (the paper's DHS test, on triangles), of the given
+/// pairs. @throws Error Cancelled.
+std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs&, Planes&, Points&, const Progress&);
 
 }  // namespace blossom::morphology::arrangement

@@ -30,9 +30,9 @@ std::optional<Features::Face> faceOf(const std::vector<Grid3>& points, const std
 std::vector<int> partsOf(const Features& solid) {
   UnionFind parts(solid.points.size());
   std::vector<bool> used(solid.points.size(), false);
-  for (const auto& [from, to] : solid.outline) {
-    parts.unite(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
-    used[static_cast<std::size_t>(from)] = true;
+  for (const Features::Edge& edge : solid.edges) {
+    parts.unite(static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to));
+    used[static_cast<std::size_t>(edge.from)] = true;
   }
   std::vector<int> first;
   for (std::size_t v = 0; v < used.size(); ++v)
@@ -45,8 +45,7 @@ void addSegment(Features& features, int from, int to, int left, int right) {
   if (along == Grid3{}) return;
   features.corners[static_cast<std::size_t>(from)].around.push_back(along);
   features.corners[static_cast<std::size_t>(to)].around.push_back(Grid3{} - along);
-  features.edges.push_back({from, to, left, right});
-  features.outline.push_back({from, to});
+  features.edges.push_back({from, to, left, right, true});
 }
 
 /// Of a face that has the directed edge from one corner to the other, its third corner.
@@ -87,12 +86,12 @@ std::optional<Features> featuresOf(const Mesh& triangles, double factor, double 
     if (from > to) continue;
     const auto beyond = faceBeside.find({to, from});
     if (beyond == faceBeside.end()) return std::nullopt;
-    made.outline.push_back({from, to});
     const Features::Face &face = made.faces[static_cast<std::size_t>(left)],
                          &other = made.faces[static_cast<std::size_t>(beyond->second)];
-    if (slope(face.normal, face.about, at(opposite(other, from, to)) - at(from)) >= 0) continue;
-    for (const int end : {from, to}) made.corners[static_cast<std::size_t>(end)].isTouched = true;
-    made.edges.push_back({from, to, left, beyond->second});
+    const bool isConvex = slope(face.normal, face.about, at(opposite(other, from, to)) - at(from)) < 0;
+    if (isConvex)
+      for (const int end : {from, to}) made.corners[static_cast<std::size_t>(end)].isTouched = true;
+    made.edges.push_back({from, to, left, beyond->second, isConvex});
   }
   made.parts = partsOf(made);
   return made;

@@ -19,6 +19,7 @@ struct Features {
   struct Edge {
     int from = 0, to = 0;           ///< corners
     int left = none, right = none;  ///< faces; a segment has none
+    bool isConvex = true;           ///< only then it can bound a sum
   };
   struct Corner {
     bool isTouched = false;     ///< false between reflex edges alone, which no plane touches
@@ -27,9 +28,8 @@ struct Features {
   std::vector<Grid3> points;
   std::vector<Corner> corners;  ///< of the points
   std::vector<Face> faces;
-  std::vector<Edge> edges;                  ///< those that are convex
-  std::vector<std::array<int, 2>> outline;  ///< all edges
-  std::vector<int> parts;                   ///< a point of each connected part
+  std::vector<Edge> edges;
+  std::vector<int> parts;  ///< a point of each connected part
 };
 
 /// Of a solid. Points are scaled, then rounded to multiples of `step`; a factor below 0 mirrors the solid in the origin. The

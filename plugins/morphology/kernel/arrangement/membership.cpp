@@ -61,8 +61,8 @@ bool Membership::anyEdgeMeets(const Placed& edges, const Placed& faces, const Pr
     boxes.push_back(Box3(inDoubles(corner(face, 0))).extend(inDoubles(corner(face, 1))).extend(inDoubles(corner(face, 2))));
   const BoxTree<3> tree(boxes, 4, progress);
   bool met = false;
-  for (const auto& [from, to] : edges.features.outline) {
-    const Grid3 &p = edges.points[static_cast<std::size_t>(from)], &q = edges.points[static_cast<std::size_t>(to)];
+  for (const Features::Edge& edge : edges.features.edges) {
+    const Grid3 &p = edges.points[static_cast<std::size_t>(edge.from)], &q = edges.points[static_cast<std::size_t>(edge.to)];
     tree.meeting(Box3(inDoubles(p)).extend(inDoubles(q)), [&](std::size_t f) {
       const Features::Face& face = faces.features.faces[f];
       met = met || meet(p, q, {corner(face, 0), corner(face, 1), corner(face, 2)});

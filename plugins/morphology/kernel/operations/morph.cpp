@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "kernel/morphology.h"
@@ -11,7 +12,11 @@ namespace {
 /// The in-between solids of some solids. Two of them are paired once for all frames.
 class Morph {
  public:
-  Morph(const std::vector<Operand>& shapes, const Progress& progress) : work_(progress) {
+  Morph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights, const Progress& progress)
+      : work_(progress) {
+    for (const std::vector<double>& row : weights)
+      for (const double weight : row)
+        if (weight > 0) leastWeight_ = std::min(leastWeight_, weight);
     Bounds largest = shapes.front().bounds();
     for (const Operand& shape : shapes) {
       requireSolid(shape);
@@ -81,10 +86,21 @@ class Morph {
     return made;
   }
 
+  /// Of two solids that are paired already.
+  const arrangement::FeaturePairs* kept() {
+    if (shapes_.size() != 2) return nullptr;
+    if (!kept_ && !isPaired_) {
+      kept_ = keptPairs(termOf(shapes_[0]), termOf(shapes_[1]), grid_.step, leastWeight_, work_.progress());
+      if (kept_) ++work_.stats().pairings;
+      isPaired_ = true;
+    }
+    return kept_.get();
+  }
+
   Sum ofAny(const std::vector<Part>& parts, double from, double to) {
     const double share = (to - from) / static_cast<double>(parts.size() - 1);
     Sum made{sumOfAny(work_, shapes_[parts[0].shape], parts[0].weight, shapes_[parts[1].shape], parts[1].weight, grid_, from,
-                      from + share)};
+                      from + share, kept())};
     for (std::size_t k = 2; k < parts.size(); ++k) {
       const double begin = from + share * static_cast<double>(k - 1), middle = begin + 0.1 * share;
       const Prepared& next = shapes_[parts[k].shape];
@@ -98,14 +114,17 @@ class Morph {
   Work work_;
   CommonGrid grid_;
   std::vector<Prepared> shapes_;
+  double leastWeight_ = 1;  ///< of all frames, above 0
   std::optional<ConvexSums> convex_;
+  std::shared_ptr<const arrangement::FeaturePairs> kept_;
+  bool isPaired_ = false;
 };
 
 }  // namespace
 
 MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
                             const Progress& progress) {
-  Morph morph(shapes, progress);
+  Morph morph(shapes, weights, progress);
   const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
   double from = 0.1;
   for (const std::vector<double>& row : weights) {

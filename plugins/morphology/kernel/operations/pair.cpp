@@ -39,9 +39,9 @@ Mesh ConvexSums::sum(double weightA, double weightB) {
 }
 
 Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid,
-              double from, double to) {
+              double from, double to, const arrangement::FeaturePairs* kept) {
   if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
-  Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to);
+  Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to, kept);
   if (sum.faceCount() == 0)
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");

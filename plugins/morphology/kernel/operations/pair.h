@@ -38,9 +38,9 @@ class ConvexSums {
   std::vector<std::array<int, 2>> corners_;
 };
 
-/// weightA a + weightB b of shapes of any kind, about the same sum of their centres. Weights above 0. @throws Error Degenerate
-/// when it has no volume.
+/// weightA a + weightB b of shapes of any kind, about the same sum of their centres. Weights above 0. @throws Error
+/// Degenerate when it has no volume.
 Mesh sumOfAny(Work&, const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid&, double from,
-              double to);
+              double to, const arrangement::FeaturePairs* kept = nullptr);
 
 }  // namespace blossom::morphology

@@ -53,9 +53,11 @@ Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double 
 }
 
 Mesh Work::sum(const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid, double from,
-               double to) {
+               double to, const arrangement::FeaturePairs* kept) {
   const Progress part = progress_.part(from, to);
-  if (auto made = arrangedSum(termOf(a, weightA), termOf(b, weightB), grid.step, part)) return taken(std::move(made), a);
+  if (!kept) ++stats_.pairings;
+  if (auto made = arrangedSum(termOf(a, weightA), termOf(b, weightB), grid.step, part, kept))
+    return taken(std::move(made), a);
   // A weight near 0 leaves triangles without area: without them the solid is the same on the grid.
   const Mesh small = scaledWithoutDegenerate(a, weightA, grid), other = scaledWithoutDegenerate(b, weightB, grid);
   return taken(arrangedSum({small, a.pieces}, {other, b.pieces}, grid.step, part), weightA < weightB ? a : b);
@@ -67,7 +69,6 @@ Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
                 "Leave out details that are too small for its size, or choose shapes of more similar size.");
   stats_.way = Way::Arranged;
   stats_.candidates += made->candidates;
-  ++stats_.pairings;
   stats_.sumMs += made->candidatesMs;
   stats_.uniteMs += made->arrangementMs + made->cellsMs;
   return std::move(made->triangles);

@@ -26,8 +26,9 @@ class Work {
   [[nodiscard]] Prepared united(Prepared, const CommonGrid&, double from, double to);
 
   /// weightA a + weightB b, about the same sum of their centres. Weights above 0.
+  /// @param kept of `keptPairs` of the same two, when they are added at more than one pair of weights
   [[nodiscard]] Mesh sum(const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid&,
-                         double from, double to);
+                         double from, double to, const arrangement::FeaturePairs* kept = nullptr);
   /// Adds the counters of an arrangement. @throws Error Degenerate that names the operand when there is none
   [[nodiscard]] Mesh taken(std::optional<ArrangedSum>, const Prepared&);
 

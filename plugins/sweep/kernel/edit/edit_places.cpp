@@ -93,9 +93,8 @@ PoleChange EditPlaces::changeOf(Row row, const SeamV& seam, const Eigen::MatrixX
   }
   for (const MotionPlace& pin : pins_) pinned.push_back(seam.onFreePoles(row(pin)));
   const PoleChange change = leastChange(moved, wanted, pinned, progress_);
-  const double asked = wanted.rowwise().norm().maxCoeff();
-  together_ = change.residual > unmet * asked;
-  if (asked > 0) result_.swing = std::max(result_.swing, change.by.rowwise().norm().maxCoeff() / asked);
+  together_ = change.residual > unmet * wanted.rowwise().norm().maxCoeff();
+  result_.swing = std::max(result_.swing, change.swing);
   return seam.onAllPoles(change);
 }
 

@@ -43,7 +43,8 @@ struct EditResult {
   std::vector<double> remainders;
   double remainder = 0;        ///< the largest of these
   std::size_t movedPoles = 0;  ///< poles of the three factors that are other than before
-  /// How many times as far as any place asks some pole of a factor moves, at most; 1 to 4 for one place alone.
+  /// How many times as far some pole of a factor moves as any place asks that shares poles with it, directly or over others
+  /// and pins; 1 to 4 for one place alone.
   double swing = 0;
   std::vector<Obstacle> obstacles;  ///< of the places that did not arrive; empty when all did
 };

@@ -3,8 +3,11 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 #include "core/error.h"
+#include "geometry/numeric/union_find.h"
 
 namespace blossom::sweep {
 
@@ -19,39 +22,40 @@ constexpr double dependent = 1e-6, dependentPin = 1e-12;
 /// rounding.
 constexpr double enlarging = 1e-2, onlyRounding = 1e-13;
 
-/// The poles that may change, and the pins that restrict them.
-struct Involved {
+/// Places and pins that are tied together by poles that they share, and these poles.
+struct Tied {
   std::vector<std::size_t> pole;  ///< increasing
+  std::vector<std::size_t> moved;
   std::vector<PlaceRow> pins;
 };
 
-bool touches(const PlaceRow& row, const std::vector<std::size_t>& poles) {
-  return std::any_of(row.pole.begin(), row.pole.end(),
-                     [&](std::size_t each) { return std::binary_search(poles.begin(), poles.end(), each); });
-}
-
-void include(const PlaceRow& row, std::vector<std::size_t>& poles) {
-  poles.insert(poles.end(), row.pole.begin(), row.pole.end());
-  std::sort(poles.begin(), poles.end());
-  poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
-}
-
-/// The poles under the moved places, and those by which pins among them can be held, and so on.
-Involved involved(std::span<const PlaceRow> moved, std::span<const PlaceRow> pins) {
-  Involved result;
-  for (const PlaceRow& row : moved) include(row, result.pole);
-  std::vector<const PlaceRow*> waiting;
-  for (const PlaceRow& pin : pins) waiting.push_back(&pin);
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (const PlaceRow*& pin : waiting) {
-      if (!pin || !touches(*pin, result.pole)) continue;
-      include(*pin, result.pole);
-      result.pins.push_back(*pin);
-      pin = nullptr, grown = true;
-    }
+/// Those with a moved place, in the order of their first ones.
+std::vector<Tied> tiedTogether(std::span<const PlaceRow> moved, std::span<const PlaceRow> pins) {
+  const auto row = [&](std::size_t k) -> const PlaceRow& { return k < moved.size() ? moved[k] : pins[k - moved.size()]; };
+  UnionFind ties(moved.size() + pins.size());
+  std::unordered_map<std::size_t, std::size_t> firstAt;  // of each pole
+  for (std::size_t k = 0; k < moved.size() + pins.size(); ++k)
+    for (const std::size_t pole : row(k).pole) ties.unite(firstAt.try_emplace(pole, k).first->second, k);
+  std::vector<Tied> groups;
+  std::unordered_map<std::size_t, std::size_t> groupOf;
+  for (std::size_t k = 0; k < moved.size() + pins.size(); ++k) {
+    const auto found = groupOf.find(ties.find(k));
+    if (k >= moved.size() && found == groupOf.end()) continue;  // a pin that nothing pulls at
+    const std::size_t group =
+        k < moved.size() ? groupOf.try_emplace(ties.find(k), groups.size()).first->second : found->second;
+    if (group == groups.size()) groups.emplace_back();
+    Tied& tied = groups[group];
+    if (k < moved.size())
+      tied.moved.push_back(k);
+    else
+      tied.pins.push_back(row(k));
+    tied.pole.insert(tied.pole.end(), row(k).pole.begin(), row(k).pole.end());
   }
-  return result;
+  for (Tied& tied : groups) {
+    std::sort(tied.pole.begin(), tied.pole.end());
+    tied.pole.erase(std::unique(tied.pole.begin(), tied.pole.end()), tied.pole.end());
+  }
+  return groups;
 }
 
 /// One column for each place, one row for each pole.
@@ -124,40 +128,74 @@ MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smalle
 /// One place and no pins.
 PoleChange leastChangeOf(const PlaceRow& row, const MatrixXd& wanted) {
   const Eigen::Map<const Eigen::VectorXd> shares(row.share.data(), static_cast<Index>(row.share.size()));
-  return {row.pole, shares / shares.squaredNorm() * wanted.row(0), 0};
+  return {row.pole, shares / shares.squaredNorm() * wanted.row(0), 0, 0};
 }
 
-PoleChange solved(const Involved& all, const Merged& places, double asked, const Progress& progress) {
-  if (places.rows.size() == 1 && all.pins.empty()) return leastChangeOf(places.rows.front(), places.wanted);
-  MatrixXd free = columnsOf(places.rows, all.pole);
+PoleChange solved(const Tied& tied, const Merged& places, double asked, const Progress& progress) {
+  if (places.rows.size() == 1 && tied.pins.empty()) return leastChangeOf(places.rows.front(), places.wanted);
+  MatrixXd free = columnsOf(places.rows, tied.pole);
   const double largest = free.colwise().norm().maxCoeff();
   MatrixXd span(free.rows(), 0);
-  if (!all.pins.empty()) {
-    span = spanOf(columnsOf(all.pins, all.pole));
+  if (!tied.pins.empty()) {
+    span = spanOf(columnsOf(tied.pins, tied.pole));
     removeSpan(free, span);
   }
   progress.check();
   const Eigen::VectorXd weight = places.count.cwiseSqrt();
   MatrixXd by = shortest(free * weight.asDiagonal(), weight.asDiagonal() * places.wanted, dependent * largest, asked);
   removeSpan(by, span);
-  return {all.pole, std::move(by), 0};
+  return {tied.pole, std::move(by), 0, 0};
+}
+
+PoleChange changeOf(const Tied& tied, std::span<const PlaceRow> moved, const MatrixXd& wanted, const Progress& progress) {
+  std::vector<PlaceRow> rows;
+  MatrixXd here(static_cast<Index>(tied.moved.size()), wanted.cols());
+  for (const std::size_t place : tied.moved) {
+    here.row(static_cast<Index>(rows.size())) = wanted.row(static_cast<Index>(place));
+    rows.push_back(moved[place]);
+  }
+  const double asked = here.rowwise().norm().maxCoeff();
+  if (asked == 0 && here.isZero(0)) return {{}, MatrixXd(0, wanted.cols()), 0, 0};
+  if (tied.pole.empty()) return {{}, MatrixXd(0, wanted.cols()), asked, 0};
+  PoleChange change = solved(tied, merged(rows, here), here.norm(), progress);
+  if (!change.by.allFinite())
+    throw Error(ErrorCode::Degenerate, "The change of the poles that this edit needs is beyond all numbers.",
+                "Choose nearer targets, or places that are farther apart.");
+  change.swing = change.by.rowwise().norm().maxCoeff() / asked;
+  if (rows.size() > 1 || !tied.pins.empty())
+    change.residual = (columnsOf(rows, tied.pole).transpose() * change.by - here).rowwise().norm().maxCoeff();
+  return change;
+}
+
+/// Changes of different poles as one, with the poles in order.
+PoleChange together(const std::vector<PoleChange>& parts, Index columns) {
+  PoleChange all{{}, {}, 0, 0};
+  std::vector<std::pair<std::size_t, Eigen::RowVectorXd>> rows;
+  for (const PoleChange& part : parts) {
+    for (std::size_t k = 0; k < part.pole.size(); ++k) rows.emplace_back(part.pole[k], part.by.row(static_cast<Index>(k)));
+    all.residual = std::max(all.residual, part.residual);
+    all.swing = std::max(all.swing, part.swing);
+  }
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  all.by.resize(static_cast<Index>(rows.size()), columns);
+  for (const auto& [pole, by] : rows) {
+    all.by.row(static_cast<Index>(all.pole.size())) = by;
+    all.pole.push_back(pole);
+  }
+  return all;
 }
 
 }  // namespace
 
 PoleChange leastChange(std::span<const PlaceRow> moved, const MatrixXd& wanted, std::span<const PlaceRow> pins,
                        const Progress& progress) {
-  if (wanted.isZero(0)) return {{}, MatrixXd(0, wanted.cols()), 0};
-  const Involved all = involved(moved, pins);
-  if (all.pole.empty()) return {{}, MatrixXd(0, wanted.cols()), wanted.rowwise().norm().maxCoeff()};
-  progress.check();
-  PoleChange change = solved(all, merged(moved, wanted), wanted.norm(), progress);
-  if (!change.by.allFinite())
-    throw Error(ErrorCode::Degenerate, "The change of the poles that this edit needs is beyond all numbers.",
-                "Choose nearer targets, or places that are farther apart.");
-  if (moved.size() > 1 || !all.pins.empty())
-    change.residual = (columnsOf(moved, all.pole).transpose() * change.by - wanted).rowwise().norm().maxCoeff();
-  return change;
+  if (wanted.isZero(0)) return {{}, MatrixXd(0, wanted.cols()), 0, 0};
+  std::vector<PoleChange> parts;
+  for (const Tied& tied : tiedTogether(moved, pins)) {
+    progress.check();
+    parts.push_back(changeOf(tied, moved, wanted, progress));
+  }
+  return parts.size() == 1 ? std::move(parts.front()) : together(parts, wanted.cols());
 }
 
 std::size_t applyChange(const PoleChange& change, Curve& trajectory) {

@@ -14,6 +14,7 @@ struct PoleChange {
   std::vector<std::size_t> pole;  ///< increasing
   Eigen::MatrixXd by;             ///< a row for each of them
   double residual = 0;            ///< largest length by which a place misses what is wanted there
+  double swing = 0;               ///< largest change of a pole beside the largest wanted by a place that is tied to it
 };
 
 /// The smallest change of poles (in the sum of squares) by which the value of a factor changes at some places as `wanted`
@@ -24,11 +25,11 @@ struct PoleChange {
 /// the null space of P, then solved by its singular values. Pins therefore hold even where the places contradict them or
 /// each other; those are met by least squares then, and `residual` says by how much they miss. Places with the same row,
 /// such as copies around a motion on its trajectory, count as one place with their mean and their weight: the solution is
-/// the same, and the singular values of rounding that their difference would have do not arise. Poles that share no place,
-/// directly or over pins, with a moved one do not change. Singular values below a millionth of the largest row count as 0.
-/// @param wanted a row for each moved place
-/// O(n m^2) for m places and pins and the n poles they touch. @throws Error Cancelled; Degenerate when the change would not
-/// be finite, as for values wanted whose squares are beyond all numbers.
+/// the same, and the singular values of rounding that their difference would have do not arise. Places and pins that share
+/// no poles, directly or over others, are solved for themselves. Singular values below a millionth of the largest row count
+/// as 0. @param wanted a row for each moved place
+/// O(n m^2) for m places and pins that are tied together and the n poles they touch. @throws Error Cancelled; Degenerate
+/// when the change would not be finite, as for values wanted whose squares are beyond all numbers.
 PoleChange leastChange(std::span<const PlaceRow> moved, const Eigen::MatrixXd& wanted, std::span<const PlaceRow> pins,
                        const Progress& = Progress::none());
 

@@ -16,8 +16,9 @@ namespace blossom::sweep {
 /// mean of r(u + period / n, v0) conj(r(u, v0)) over the section v0, its angle made the nearest for which g^n = +-1. On the
 /// poles of the functions that an edit changes, this is a shift by rows / n and a multiplication by g, both of which keep
 /// lengths: the shortest change that meets copied goals is itself a copy, and a symmetric motion stays symmetric up to
-/// rounding. For that the base knots must repeat; knots that single edits of finer levels added are not among them, and the
-/// section is compared as the curve that it is, not row by row.
+/// rounding, at v0 and wherever g is the same; along a bent path g turns with the frame, and other sections are symmetric
+/// only nearly. For that the base knots must repeat; knots that single edits of finer levels added are not among them, and
+/// the section is compared as the curve that it is, not row by row.
 ///
 /// **Mirror** adds for each place the one with u reversed over the domain, u0 + u1 - u, which for a closed motion is the
 /// reflection over its seam. Its isometry is the reflection F = I - 2 n n^T in the plane through t(v0) for which

@@ -20,6 +20,9 @@ namespace {
 /// coordinates, which have no finer steps. Far from the origin the second alone would let a small pull fall short unnoticed
 /// if it were as large as the first.
 constexpr double arrived = 1e-9, arrivedOfPlace = 1e-13;
+/// What is left of the way, as a share of the coordinates, when no factor has anything to do: rounding would be taken for a
+/// wish, and be answered by knots and poles far away.
+constexpr double settled = 1e-14;
 /// A component of p below this share of the others is none.
 constexpr double noComponent = 1e-9;
 
@@ -62,11 +65,15 @@ class Pull {
   }
 
   void translate(double share) {
-    edit_.changeTrajectory([&](const EditPlace& place) -> Vec3 { return share * (toOf(place) - pointAt(place)); });
+    edit_.changeTrajectory([&](const EditPlace& place) -> Vec3 {
+      if (isSettled(place)) return Vec3::Zero();
+      return share * (toOf(place) - pointAt(place));
+    });
   }
 
   void rotate(double share) {
     edit_.changeOrientation([&](EditPlace& place) -> Vec4 {
+      if (isSettled(place)) return Vec4::Zero();
       const Vec3 centre = centreAt(place);
       // Half a turn about a copied axis; reflections turn the other way about the reflected one.
       const Vec3 axis = place.turn.determinant() * (place.turn * axis_);
@@ -84,6 +91,7 @@ class Pull {
   /// the direction that is left, not the axes of the frame
   void scale(double share, bool turnedFully) {
     edit_.changeScaling([&](EditPlace& place) -> Vec4 {
+      if (isSettled(place)) return Vec4::Zero();
       const bool couldTurn = turnedFully && place.obstacles.empty();
       const Motion& motion = edit_.motion();
       const Vec3 x = pointAt(place), to = x + share * (toOf(place) - x) - centreAt(place);
@@ -108,6 +116,9 @@ class Pull {
  private:
   /// What may be left, mm.
   [[nodiscard]] double allowed() const { return std::max(arrived * reach_, arrivedOfPlace * size_); }
+  [[nodiscard]] bool isSettled(const EditPlace& place) const {
+    return (toOf(place) - pointAt(place)).norm() <= settled * size_;
+  }
   static void addOnce(EditPlace& place, Unreached why) {
     if (place.obstacles.empty() || place.obstacles.back() != why) place.obstacles.push_back(why);
   }

@@ -13,10 +13,7 @@ using Interval = std::array<int, 2>;  // two points of a line
 
 Box3 boxOf(const Facet& facet, const Points& points) {
   Box3 box;
-  for (std::size_t k = 0; k < facet.count; ++k) {
-    const Grid3& p = points.grid(facet.corners[k]);
-    box.extend(Eigen::Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])));
-  }
+  for (std::size_t k = 0; k < facet.count; ++k) box.extend(inDoubles(points.grid(facet.corners[k])));
   return box;
 }
 

@@ -9,10 +9,6 @@ namespace blossom::morphology::arrangement {
 
 namespace {
 
-Eigen::Vector3d inDoubles(const Grid3& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 /// On which side of a triangle's plane, seen from its normal.
 int sideOf(const Normal3& normal, const Grid3& through, const Grid3& p) {
   const Bounded about = dot({rounded(normal[0]), rounded(normal[1]), rounded(normal[2])}, exactly(p - through));

@@ -16,10 +16,6 @@ using Vector = Eigen::Vector3d;
 /// edges.
 constexpr double slack = 2e-4;
 
-Vector inDoubles(const Grid3& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 Box3 wholeSphere() { return {Vector::Constant(-1), Vector::Constant(1)}; }
 
 Box3 enlarged(Box3 box, double by) {
@@ -144,12 +140,13 @@ class OnSphere {
 };
 
 /// Items of two lists whose boxes meet, in the order of the first list.
-class Meeting {
+class NearBoxes {
  public:
-  explicit Meeting(const Progress& progress) : progress_(progress) {}
+  explicit NearBoxes(const Progress& progress) : progress_(progress) {}
 
   template <class First, class Second>
-  [[nodiscard]] std::vector<FeaturePairs::Pair> of(const std::vector<First>& first, const std::vector<Second>& second) const {
+  [[nodiscard]] std::vector<FeaturePairs::Pair> of(const std::vector<First>& first,
+                                                   const std::vector<Second>& second) const {
     std::vector<Box3> boxes;
     std::vector<int> numbers;
     each(second, [&](int number, const Box3& box) {
@@ -189,9 +186,9 @@ class Meeting {
 
 FeaturePairs nearPairs(const Features& a, const Features& b, double rounding, const Progress& progress) {
   const OnSphere first(a, rounding), second(b, rounding);
-  const Meeting meeting(progress);
-  return {meeting.of(first.faces(), second.corners()), meeting.of(first.corners(), second.faces()),
-          meeting.of(first.edges(), second.edges())};
+  const NearBoxes near(progress);
+  return {near.of(first.faces(), second.corners()), near.of(first.corners(), second.faces()),
+          near.of(first.edges(), second.edges())};
 }
 
 }  // namespace blossom::morphology::arrangement

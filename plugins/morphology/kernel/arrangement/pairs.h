@@ -15,10 +15,10 @@ struct FeaturePairs {
   std::vector<Pair> edges;
 };
 
-/// The outward directions of faces, of the planes that support corners, and of those that support edges, as points, cones and
-/// arcs on the sphere, met in trees of boxes. All pairs that the DHS test can accept are among them, also when corners of the
-/// shapes move by up to `rounding` steps: factors that scale the shapes do not turn their directions, only rounding does.
-/// About O((n + m) log n + pairs). @throws Error Cancelled.
+/// The outward directions of faces, of the planes that support corners, and of those that support edges, as points, cones
+/// and arcs on the sphere, met in trees of boxes. All pairs that the DHS test can accept are among them, also when corners
+/// of the shapes move by up to `rounding` steps: factors that scale the shapes do not turn their directions, only rounding
+/// does. About O((n + m) log n + pairs). @throws Error Cancelled.
 FeaturePairs nearPairs(const Features& a, const Features& b, double rounding, const Progress&);
 
 }  // namespace blossom::morphology::arrangement

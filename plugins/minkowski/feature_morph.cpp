@@ -219,8 +219,10 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.");
   return addPlacements(builder)
-      .parameter("tolerance", &P::tolerance, toleranceSpec(),
-                 "Largest distance between curves and the polygons that stand for them.")
+      .parameter(
+          "tolerance", &P::tolerance, toleranceSpec(),
+          "Largest distance between curves and the polygons that stand for them, and by which more than two terms may fill "
+          "dents.")
       .parameter("degree", &P::degree, count(0),
                  "Degree of a B-spline of shapes: so many shapes and one more act at a time. 0: one less than the number of "
                  "shapes, the Bezier morph, in which all act.")

@@ -1871,6 +1871,10 @@
         <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen.</translation>
     </message>
     <message>
+        <source>Largest distance between curves and the polygons that stand for them, and by which more than two terms may fill dents.</source>
+        <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen, und um den mehr als zwei Terme Dellen füllen dürfen.</translation>
+    </message>
+    <message>
         <source>Largest distance between curves and the polygons that stand for them. Once the convex hull is within it, the hull is the result.</source>
         <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen. Sobald die konvexe Hülle darin liegt, ist sie das Ergebnis.</translation>
     </message>

@@ -160,6 +160,23 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(line.json["error"]["code"], Value("Degenerate"));
   }
 
+  /// A square of which one side is an arc of a circle that is larger than all shapes: what is drawn of it counts.
+  void nearlyStraightArcs() {
+    for (const char* radius : {"1e8", "1e9"}) {
+      QFile file(folder_.filePath("flat.svg"));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(QStringLiteral("<svg xmlns='http://www.w3.org/2000/svg' width='30mm' height='30mm' viewBox='0 0 30 30'>"
+                                "<path d='M10 10 L20 10 L20 20 A%1 %1 0 0 1 10 20 Z'/></svg>")
+                     .arg(QString::fromLatin1(radius))
+                     .toUtf8());
+      file.close();
+      const double r = 0.002;
+      const Answer grown = blossom({"minkowski-sum", "flat.svg", "circle:0.002", "--tolerance", "1e-5"});
+      QCOMPARE(grown.code, 0);
+      COMPARE_NEAR(grown.result("area"), 100 + 40 * r + pi * r * r, 5e-4);
+    }
+  }
+
   /// Nothing is a shape: what is made of it says so.
   void nothingIsLeft() {
     const Answer none =

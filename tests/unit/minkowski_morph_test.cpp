@@ -232,6 +232,28 @@ class MinkowskiMorphTest : public QObject {
     VERIFY_ERROR(one(convex, {0.1, 0.2}, {.degreeElevate = true}), ErrorCode::InvalidParameter);
   }
 
+  /// Elevation makes hollow shapes between hollow ends, whose repetitions are not multiples of them.
+  void elevatedShapesMustBeConvexToo() {
+    const std::vector<std::vector<double>> t{{0.5}};
+    VERIFY_ERROR(morph(hollows(2), t, {.evaluation = EvaluationOrder::Convex, .degreeElevate = true}),
+                 ErrorCode::InvalidInput);
+    const std::vector<Region> ends{regular(3, 10), regular(5, 4)};
+    const auto areaBy = [&](EvaluationOrder order) {
+      return area(morph(ends, t, {.evaluation = order, .degreeElevate = true}).regions.front());
+    };
+    COMPARE_NEAR(areaBy(EvaluationOrder::Convex), areaBy(EvaluationOrder::BottomUp),
+                 1e-8 * areaBy(EvaluationOrder::BottomUp));
+  }
+
+  /// However coarse the tolerance is, lines are added as they are.
+  void twoPolygonsAreAddedAsTheyAre() {
+    const std::vector<std::vector<double>> t{{0.5}};
+    const std::vector<Region> ends{hollows(1).front(), regular(4, 7)};
+    const double whole = area(morph(ends, t, {.evaluation = EvaluationOrder::BottomUp}).regions.front());
+    for (const EvaluationOrder order : {EvaluationOrder::Explicit, EvaluationOrder::Automatic})
+      COMPARE_NEAR(area(morph(ends, t, {.evaluation = order, .tolerance = 20}).regions.front()), whole, 1e-12 * whole);
+  }
+
   void wrongArgumentsAreRefused() {
     VERIFY_ERROR(one(hollows(3), {0.5}), ErrorCode::InvalidParameter);
     VERIFY_ERROR(one(hollows(2), {1.5}), ErrorCode::InvalidParameter);

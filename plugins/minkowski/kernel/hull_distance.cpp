@@ -261,7 +261,10 @@ HullDistance distanceToHull(const Region& shape, const Region& hull, double prec
   if (shape.loops.empty() || hull.loops.empty()) return {};
   std::vector<BoundaryPart> parts;
   for (const Path& loop : shape.loops) addParts(loop, precision / 4, parts);
-  return FarthestPoint(std::move(parts), flatten(hull.loops.front(), precision / 4), precision / 2).run(progress);
+  HullDistance found =
+      FarthestPoint(std::move(parts), flatten(hull.loops.front(), precision / 4), precision / 2).run(progress);
+  found.atMost += precision / 2;  // by which both polygons may be nearer to each other than what they stand for
+  return found;
 }
 
 double circumradius(const Region& region, double chord, const Progress& progress) {

@@ -121,7 +121,8 @@ const std::vector<Expansion::Term>& Expansion::termsOf(std::span<const double> t
     }
   }
   std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  const double tolerance = toleranceAt(t);
+  const bool isOneSum = place->second.size() + byError.size() <= 2;  // which stays as it is
+  const double tolerance = isOneSum ? 0 : toleranceAt(t);
   double error = 0;
   for (const auto& [more, term] : byError) {
     if (error + more <= tolerance) {

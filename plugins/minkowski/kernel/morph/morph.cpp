@@ -94,9 +94,9 @@ class Morph {
     for (std::size_t i = 0; i < regions.size(); ++i)
       shapes_.push_back(
           soundControl(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
-    if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
     if (options.areaPreserving) area_.emplace(shapes_);
     if (options.degreeElevate) elevate(progress);
+    if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
     for (const Region& region : regions)
       if (!pointIn(region)) tolerance_ = std::min(tolerance_, options.tolerance.value_or(defaultTolerance(region)));
     expansion_.emplace(shapes_, tolerance_, add_);
@@ -149,7 +149,8 @@ class Morph {
     for (std::size_t i = 1; i + 1 < shapes_.size(); ++i)
       if (!repeatsAsMultiple(shapes_[i]))
         throw Error(ErrorCode::InvalidInput,
-                    fmt::format("Control shape {} is not convex, so its repetitions are not multiples of it.", i + 1),
+                    fmt::format("Control shape {}{} is not convex, so its repetitions are not multiples of it.", i + 1,
+                                options_.degreeElevate ? " of the elevated morph" : ""),
                     "Choose the explicit evaluation.");
   }
 

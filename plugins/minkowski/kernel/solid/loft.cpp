@@ -48,9 +48,22 @@ std::vector<LoftSide> sidesOfFaces(const LoftScene& scene, const Effort& effort,
   return all;
 }
 
+/// Corners that are one within rounding of the height must not be those of an outline.
+void refuseTooHigh(const Polygons& a, const Polygons& b, double height) {
+  constexpr double highest = 1e6;
+  const double width = std::min(boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff());
+  if (height <= highest * width) return;
+  throw Error(
+      ErrorCode::InvalidParameter,
+      fmt::format("The height of the solid, {:.4g} mm, is more than a million times the size of an outline, {:.4g} mm.",
+                  height, width),
+      "Give a smaller height, or larger outlines.");
+}
+
 }  // namespace
 
 LoftResult loft(const Polygons& a, const Polygons& b, double height, const Progress& progress, Effort& effort) {
+  refuseTooHigh(a, b, height);
   const SnappedOperands operands = snappedTogether(a, b);
   progress.report(0, "Pairing edges");
   const LoftFacets facets =

@@ -9,6 +9,7 @@
 #include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/finer_polygons.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/complement.h"
 #include "geometry/planar/sums/convex_sum.h"
 #include "geometry/planar/sums/flattening.h"
@@ -34,10 +35,18 @@ Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& add
   return byFinerPolygons(attempt, progress);
 }
 
+/// A nearly straight arc counts by what is drawn of it, not by its circle.
+Box2 drawnBox(const Region& region) {
+  Box2 box;
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) box.extend(boxAround(segment));
+  return box;
+}
+
 /// When one set is as good as a point beside the other: the other, moved there.
 std::optional<SoundRegion> sumWithPoint(const SoundRegion& a, const SoundRegion& b) {
   constexpr double point = 3e-12;
-  const Box2 boxA = looseBox(a.region.loops), boxB = looseBox(b.region.loops);
+  const Box2 boxA = drawnBox(a.region), boxB = drawnBox(b.region);
   if (boxB.sizes().norm() <= point * boxA.sizes().norm()) return translated(a, boxB.center());
   if (boxA.sizes().norm() <= point * boxB.sizes().norm()) return translated(b, boxA.center());
   return std::nullopt;

@@ -13,6 +13,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/bounding_polyline.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/loop_checks.h"
 #include "geometry/planar/sums/touching_arcs.h"
 #include "geometry/planar/winding/nesting.h"
@@ -58,19 +59,22 @@ double expectedCorners(const Segment& segment, double tolerance) {
          (1 + std::sqrt(spline->degree * (spline->degree - 1) / 8.0 * bend / tolerance));
 }
 
-/// How large a shape is, and how far from the origin.
+/// How large a shape is, and how far from the origin, the centres of its arcs among it.
 struct ShapeExtent {
   Vec2 low, high;
+  double farthest = 0;
   [[nodiscard]] double size() const { return (high - low).maxCoeff(); }
   [[nodiscard]] Vec2 middle() const { return (low + high) / 2; }
   void add(const Vec2& p) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
+    farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
   }
   void add(const Line2& line) { add(line.from), add(line.to); }
   void add(const Arc2& arc) {
-    add(arc.center - Vec2::Constant(std::abs(arc.radius)));
-    add(arc.center + Vec2::Constant(std::abs(arc.radius)));
+    const Box2 drawn = boxAround(arc);
+    add(Vec2(drawn.min())), add(Vec2(drawn.max()));
+    farthest = std::max(farthest, arc.center.cwiseAbs().maxCoeff() + std::abs(arc.radius));
   }
   void add(const Spline2& spline) {
     for (const Vec3& pole : spline.poles)
@@ -80,7 +84,7 @@ struct ShapeExtent {
 
 ShapeExtent shapeExtentOf(const Region& region) {
   const Vec2 start = startPoint(region.loops.front());
-  ShapeExtent extent{start, start};
+  ShapeExtent extent{start, start, start.cwiseAbs().maxCoeff()};
   for (const Path& loop : region.loops)
     for (const Segment& segment : loop.segments) std::visit([&](const auto& each) { extent.add(each); }, segment);
   return extent;
@@ -88,7 +92,7 @@ ShapeExtent shapeExtentOf(const Region& region) {
 
 /// What is below this is nothing: a share of the shape, but no less than the rounding of its numbers.
 double confusionOf(const ShapeExtent& extent) {
-  const double rounding = 2e-15 * extent.low.cwiseAbs().cwiseMax(extent.high.cwiseAbs()).maxCoeff();
+  const double rounding = 2e-15 * extent.farthest;
   return std::min(Tolerance{}.confusion, std::max(1e-6 * extent.size(), rounding));
 }
 

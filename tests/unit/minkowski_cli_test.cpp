@@ -12,6 +12,8 @@ using std::numbers::pi;
 
 namespace {
 
+int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
+
 double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
 
 }  // namespace

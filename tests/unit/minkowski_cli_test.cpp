@@ -1,22 +1,11 @@
 #include <QFile>
 #include <QTemporaryDir>
 
-#include "exchange/format/format.h"
-#include "geometry/planar/planar.h"
-#include "support/command_line.h"
-#include "support/modeling.h"
+#include "support/minkowski_answers.h"
 
 using namespace blossom;
 using namespace blossom::test;
 using std::numbers::pi;
-
-namespace {
-
-int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
-
-double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
-
-}  // namespace
 
 /// Sums and differences through the real command line.
 class MinkowskiCliTest : public QObject {
@@ -28,7 +17,7 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(sum.code, 0);
     COMPARE_NEAR(sum.result("area"), 45 * 16, 1e-9);
     QCOMPARE(sum.json["feature"], Value("minkowski.minkowski-sum"));
-    QCOMPARE(sums(sum), 1);
+    QCOMPARE(sumsOf(sum), 1);
     const Answer room = blossom({"minkowski-difference", "rectangle:40:30", "rectangle:10:10", "-o", "room.dxf"});
     COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
     const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
@@ -68,7 +57,7 @@ class MinkowskiCliTest : public QObject {
     QVERIFY(many.json["stats"]["is_hull"].get<bool>() && many.json["warnings"].size() == 1);
     const Answer few = blossom({"region-repeat", "star:5:20:8", "--count", "10", "--normalised"});
     QVERIFY(few.json["stats"]["hull_distance"].get<double>() < few.json["stats"]["hull_bound"].get<double>());
-    QCOMPARE(sums(few), 4);
+    QCOMPARE(sumsOf(few), 4);
   }
 
   /// h (|A| + V(A, B) + |B|) / 3 of squares of 4 and 2 is 10 (16 + 8 + 4) / 3.
@@ -96,7 +85,7 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(none.json["error"]["code"], Value("FileNotFound"));
     const Answer apart = blossom(large);
     QCOMPARE(apart.code, 0);
-    QCOMPARE(sums(apart), 1);
+    QCOMPARE(sumsOf(apart), 1);
     QVERIFY(apart.result("area") > 0 && apart.result("components") == 1);
     QVERIFY(apart.json["stats"].contains("worker_ms") && !here.json["stats"].contains("worker_ms"));
   }

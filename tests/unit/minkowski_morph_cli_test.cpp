@@ -3,22 +3,11 @@
 #include <QTemporaryDir>
 #include <array>
 
-#include "exchange/format/format.h"
-#include "geometry/planar/planar.h"
-#include "support/command_line.h"
-#include "support/modeling.h"
+#include "support/minkowski_answers.h"
 
 using namespace blossom;
 using namespace blossom::test;
 using std::numbers::pi;
-
-namespace {
-
-int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
-
-double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
-
-}  // namespace
 
 /// Morphs through the real command line.
 class MinkowskiMorphCliTest : public QObject {
@@ -148,19 +137,19 @@ class MinkowskiMorphCliTest : public QObject {
       QVERIFY(first.result("arcs") >= 1 && first.result("lines") == 0);
       COMPARE_NEAR(last.result("area"), 28 * 12 + 36 * pi, 1e-9);
       QCOMPARE(last.result("arcs"), 2.0);
-      QCOMPARE(sums(first) + sums(last), 0);
+      QCOMPARE(sumsOf(first) + sumsOf(last), 0);
     }
   }
 
   void tableOneIsPrinted() {
     const QStringList three{"morph", "star:3:20:8", "star:4:22:7", "star:5:24:9", "--frames", "7", "--evaluation"};
     // Five of seven frames lie between the ends; n = 2.
-    QCOMPARE(sums(blossom(three + QStringList{"recursive"})), 3 * 5);
-    QCOMPARE(sums(blossom(three + QStringList{"bottom-up"})), 3 * 5);
-    QCOMPARE(sums(blossom(three + QStringList{"explicit"})), 2 * 5 + 1);
+    QCOMPARE(sumsOf(blossom(three + QStringList{"recursive"})), 3 * 5);
+    QCOMPARE(sumsOf(blossom(three + QStringList{"bottom-up"})), 3 * 5);
+    QCOMPARE(sumsOf(blossom(three + QStringList{"explicit"})), 2 * 5 + 1);
     const Answer convex =
         blossom({"morph", "star:3:20:8", "circle:9", "star:5:24:9", "--frames", "7", "--evaluation", "convex"});
-    QCOMPARE(sums(convex), 2 * 5);
+    QCOMPARE(sumsOf(convex), 2 * 5);
     QCOMPARE(convex.json["result"]["frames"], Value(7));
   }
 

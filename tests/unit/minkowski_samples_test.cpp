@@ -3,17 +3,12 @@
 #include <QTemporaryDir>
 #include <map>
 
-#include "exchange/format/format.h"
-#include "geometry/planar/planar.h"
-#include "support/command_line.h"
-#include "support/modeling.h"
+#include "support/minkowski_answers.h"
 
 using namespace blossom;
 using namespace blossom::test;
 
 namespace {
-
-double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
 
 /// What `info` tells of the features of a document.
 class SampleResults {

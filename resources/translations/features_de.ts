@@ -631,16 +631,16 @@
         <translation>Eine glatte Kurve durch die Punkte; sonst gerade Linien.</translation>
     </message>
     <message>
-        <source>A solid grown by a ball: every point within the radius of it.</source>
-        <translation>Ein um eine Kugel gewachsener Körper: alle Punkte innerhalb des Radius um ihn.</translation>
+        <source>A solid grown by a ball or another shape: every point within the radius of it.</source>
+        <translation>Ein um eine Kugel oder eine andere Form gewachsener Körper: alle Punkte innerhalb des Radius um ihn.</translation>
     </message>
     <message>
         <source>A solid hollowed out to walls of even thickness.</source>
         <translation>Ein Körper, ausgehöhlt bis auf gleichmäßig dicke Wände.</translation>
     </message>
     <message>
-        <source>A solid melted by a ball: every point farther than the radius from its outside.</source>
-        <translation>Ein um eine Kugel abgeschmolzener Körper: alle Punkte, die weiter als der Radius von außen entfernt sind.</translation>
+        <source>A solid melted by a ball or another shape: every point farther than the radius from its outside.</source>
+        <translation>Ein um eine Kugel oder eine andere Form geschmolzener Körper: alle Punkte, die weiter als der Radius von außen entfernt sind.</translation>
     </message>
     <message>
         <source>a solid or region to combine</source>
@@ -663,8 +663,8 @@
         <translation>Ein Körper durch zwei oder mehr Umrisse.</translation>
     </message>
     <message>
-        <source>a solid to begin with</source>
-        <translation>einen Körper für den Anfang</translation>
+        <source>solids to morph</source>
+        <translation>Körper zum Überblenden</translation>
     </message>
     <message>
         <source>a solid to bevel</source>
@@ -673,10 +673,6 @@
     <message>
         <source>a solid to change</source>
         <translation>einen Körper zum Verändern</translation>
-    </message>
-    <message>
-        <source>a solid to end with</source>
-        <translation>einen Körper für das Ende</translation>
     </message>
     <message>
         <source>a solid to grow or melt</source>
@@ -1191,8 +1187,8 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Depth by which it melts.</source>
-        <translation>Tiefe, um die er abschmilzt.</translation>
+        <source>Depth by which it melts; of the ball.</source>
+        <translation>Tiefe, um die er schmilzt; die der Kugel.</translation>
     </message>
     <message>
         <source>Depth of the pocket in the part; 0: as in the program&apos;s head.</source>
@@ -1267,8 +1263,8 @@
         <translation>Abstand der Bahnen: ein Anteil des Durchmessers (45%) oder eine Länge.</translation>
     </message>
     <message>
-        <source>Distance by which it grows.</source>
-        <translation>Abstand, um den er wächst.</translation>
+        <source>Distance by which it grows; of the ball.</source>
+        <translation>Abstand, um den er wächst; der der Kugel.</translation>
     </message>
     <message>
         <source>Distance by which the stock exceeds the part.</source>
@@ -1595,8 +1591,8 @@
         <translation>Wachstum</translation>
     </message>
     <message>
-        <source>Growth of the share of the second solid with t.</source>
-        <translation>Wie der Anteil des zweiten Körpers mit t wächst.</translation>
+        <source>Growth of the share of later solids with t.</source>
+        <translation>Wie der Anteil späterer Körper mit t wächst.</translation>
     </message>
     <message>
         <source>height</source>
@@ -2183,8 +2179,8 @@
         <translation>Zahl der Körper einer Folge von 0 bis 1; 0 macht nur den bei t.</translation>
     </message>
     <message>
-        <source>Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.</source>
-        <translation>Zahl der Körper einer Folge von Radius 0 bis zum Radius; 0 macht nur den letzten.</translation>
+        <source>Number of solids of a sequence from size 0 to the whole size; 0 makes only the last one.</source>
+        <translation>Zahl der Körper einer Folge von Größe 0 bis zur ganzen Größe; 0 macht nur den letzten.</translation>
     </message>
     <message>
         <source>Number the lines N10, N20, ..</source>
@@ -2403,8 +2399,8 @@
         <translation>Stelle im Morph, von 0 (die erste Form) bis 1 (die letzte); darüber hinaus geht er weiter, soweit es Formen gibt, die durch beide führen.</translation>
     </message>
     <message>
-        <source>Position along the morph, from 0 (the first solid) to 1 (the second).</source>
-        <translation>Stelle im Morph, von 0 (der erste Körper) bis 1 (der zweite).</translation>
+        <source>Position along the morph, from 0 (the first solid) to 1 (the last).</source>
+        <translation>Stelle im Morph, von 0 (der erste Körper) bis 1 (der letzte).</translation>
     </message>
     <message>
         <source>post</source>
@@ -3079,8 +3075,8 @@
         <translation>Die Zwischenformen von zwei oder mehr Kontrollformen.</translation>
     </message>
     <message>
-        <source>The in-between solids of two solids with any numbers of holes and corners.</source>
-        <translation>Die Zwischenkörper zweier Körper mit beliebig vielen Löchern und Ecken.</translation>
+        <source>The in-between solids of two or more solids with any numbers of holes and corners.</source>
+        <translation>Die Zwischenkörper von zwei oder mehr Körpern mit beliebig vielen Löchern und Ecken.</translation>
     </message>
     <message>
         <source>The motion that grows, before its edits; those of its file come first.</source>
@@ -3199,8 +3195,8 @@
         <translation>Die Formen, die addiert werden: Umrisse, offene Kurven, an denen die anderen entlanggeführt werden, und Punkte.</translation>
     </message>
     <message>
-        <source>The share of the second solid at times t, when control is curve; linear between them.</source>
-        <translation>Der Anteil des zweiten Körpers zu Zeiten t, wenn der Verlauf eine Kurve ist; dazwischen linear.</translation>
+        <source>The value that takes the place of t at times t; linear between them.</source>
+        <translation>Der Wert, der zu Zeiten t an die Stelle von t tritt; dazwischen linear.</translation>
     </message>
     <message>
         <source>The side of the tool with the material: climb cuts from thick to thin chips.</source>
@@ -3211,12 +3207,8 @@
         <translation>Der kleinste konvexe Umriss um eine Form; Bögen bleiben Bögen, Geraden berühren sie.</translation>
     </message>
     <message>
-        <source>The solid at t = 0.</source>
-        <translation>Der Körper bei t = 0.</translation>
-    </message>
-    <message>
-        <source>The solid at t = 1.</source>
-        <translation>Der Körper bei t = 1.</translation>
+        <source>Solids from t = 0 to t = 1; those between pull the morph towards them, as the poles of a Bezier curve do.</source>
+        <translation>Körper von t = 0 bis t = 1; die dazwischen ziehen den Morph zu sich, wie die Pole einer Bézierkurve.</translation>
     </message>
     <message>
         <source>The solid that is changed.</source>
@@ -3552,6 +3544,62 @@
     <message>
         <source>Nothing is edited yet: there is no place.</source>
         <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>
+    </message>
+    <message>
+        <source>A shape to grow by in place of the ball, about the origin.</source>
+        <translation>Eine Form, um die er statt um die Kugel wächst, um den Ursprung.</translation>
+    </message>
+    <message>
+        <source>A shape to melt by in place of the ball, about the origin.</source>
+        <translation>Eine Form, um die er statt um die Kugel schmilzt, um den Ursprung.</translation>
+    </message>
+    <message>
+        <source>How many times as large as drawn an element is taken.</source>
+        <translation>Wievielmal so groß wie gezeichnet ein Element genommen wird.</translation>
+    </message>
+    <message>
+        <source>Growth of the size over the frames.</source>
+        <translation>Wie die Größe über die Bilder wächst.</translation>
+    </message>
+    <message>
+        <source>The share of the whole size at times from 0 to 1; linear between them.</source>
+        <translation>Der Anteil der ganzen Größe zu Zeiten von 0 bis 1; dazwischen linear.</translation>
+    </message>
+    <message>
+        <source>How far it melts: by the radius or size, or as far as anything is left.</source>
+        <translation>Wie weit er schmilzt: um den Radius oder die Größe, oder so weit noch etwas übrig ist.</translation>
+    </message>
+    <message>
+        <source>What is left is rounded by this share of the depth, as ice is: edges and thin places go first.</source>
+        <translation>Was übrig ist, wird um diesen Teil der Tiefe gerundet, wie Eis: Kanten und dünne Stellen gehen zuerst.</translation>
+    </message>
+    <message>
+        <source>One number for each solid after the first, instead of t; all equal, they are t.</source>
+        <translation>Eine Zahl für jeden Körper nach dem ersten, statt t; sind alle gleich, sind sie t.</translation>
+    </message>
+    <message>
+        <source>Round solid</source>
+        <translation>Körper runden</translation>
+    </message>
+    <message>
+        <source>A solid whose edges and corners are all rounded by a ball, as far as there is room for it.</source>
+        <translation>Ein Körper, dessen Kanten und Ecken alle durch eine Kugel gerundet sind, soweit Platz für sie ist.</translation>
+    </message>
+    <message>
+        <source>Which edges are rounded: outer ones, inner ones, or both. Thin walls go with the outer ones, narrow slots with the inner ones.</source>
+        <translation>Welche Kanten gerundet werden: äußere, innere oder beide. Mit den äußeren gehen dünne Wände, mit den inneren enge Schlitze.</translation>
+    </message>
+    <message>
+        <source>until</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>reflex</source>
+        <translation>einspringend</translation>
     </message>
 </context>
 </TS>

@@ -8,7 +8,7 @@
 #include "feature/registry.h"
 
 /// A plugin is a folder with plugin.json, a compute module (no widgets) and, for the window, a manipulator module:
-///   {"id": "sweep", "title": "Sweep", "version": "0.1.0", "api": 8, "summary": "..", "icon": "sweep",
+///   {"id": "sweep", "title": "Sweep", "version": "0.1.0", "api": 9, "summary": "..", "icon": "sweep",
 ///    "compute": "libblossom_sweep.so", "manipulators": "libblossom_sweep_manipulators.so", "features": ["sweep.sweep"],
 ///    "formats": []}
 /// `icon`, `manipulators` and `formats` may be left out.

@@ -40,6 +40,27 @@ Document meltingIce(const App& app) {
   return document;
 }
 
+/// The same with edges that go first, until nothing is left.
+Document smoothIce(const App& app) {
+  Document document;
+  const auto star = add(app, document, "star", "Star", {{"points", 5}, {"outer", 30}, {"inner", 14}});
+  const auto ice = add(app, document, "extrude", "Ice", {{"height", 20}}, {star});
+  add(app, document, "melt", "Gone",
+      {{"until", "nothing"}, {"rounding", 0.6}, {"frames", 13}, {"control", "ease-out"}, {"subdivisions", 1}}, {ice});
+  return document;
+}
+
+/// A block becomes a wedge by way of a ball, and comes near it.
+Document byWayOfABall(const App& app) {
+  Document document;
+  const auto block = add(app, document, "box", "Block", {{"width", 40}, {"depth", 40}, {"height", 30}});
+  const auto ball = add(app, document, "ball", "Ball", {{"radius", 25}, {"subdivisions", 1}});
+  const auto triangle = add(app, document, "polygon", "Triangle", {{"sides", 3}, {"radius", 28}, {"rotation", 90}});
+  const auto wedge = add(app, document, "extrude", "Wedge", {{"height", 40}}, {triangle});
+  add(app, document, "solid-morph", "By way of a ball", {{"frames", 13}}, {block, ball, wedge});
+  return document;
+}
+
 /// A letter, grown by a ball on all sides.
 Document inflatedLetter(const App& app) {
   Document document;
@@ -58,5 +79,7 @@ int main(int argc, char** argv) {
     saveDocument(notchedPlusPyramid(app), folder / "notched-sum.blossom");
     saveDocument(meltingIce(app), folder / "melting-ice.blossom");
     saveDocument(inflatedLetter(app), folder / "inflated-letter.blossom");
+    saveDocument(smoothIce(app), folder / "smooth-ice.blossom");
+    saveDocument(byWayOfABall(app), folder / "by-way-of-a-ball.blossom");
   });
 }

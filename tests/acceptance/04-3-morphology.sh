@@ -10,8 +10,9 @@ at_most "  duality of sum and difference, relative error" "$(figure morphology_d
 equal "  [-5,5]^3 - [0,1]^3: volume" "$(figure morphology_difference_test difference_volume)" 729
 equal "  from" "$(figure morphology_difference_test difference_low)" -5
 equal "  to" "$(figure morphology_difference_test difference_high)" 4
-qtest "balls, inflating, melting, morphs" "$build/tests/bin/morphology_growth_test"
-at_most "  C(0) and C(1) are the solids, error of the volumes" "$(figure morphology_growth_test morph_ends_error)" 1e-9
+qtest "balls, inflating, melting, rounding" "$build/tests/bin/morphology_growth_test"
+qtest "morphs" "$build/tests/bin/morphology_morph_test"
+at_most "  C(0) and C(1) are the solids, error of the volumes" "$(figure morphology_morph_test morph_ends_error)" 1e-9
 qtest "x in A+B exactly when A meets x-B, at random and 1e-6 from the surface" "$build/tests/bin/morphology_membership_test"
 at_least "  points" "$(figure morphology_membership_test membership_points)" 4000
 equal "  wrong" "$(figure morphology_membership_test membership_wrong)" 0

@@ -183,7 +183,7 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
   progress.report(0, "Pairing faces");
   const std::vector<Facet> facets = facetsOf(a, b, planes, points, kept, progress);
   ArrangedSum made;
-  made.candidates = facets.size();
+  for (const Facet& facet : facets) ++made.candidates[static_cast<std::size_t>(facet.family)];
   made.candidatesMs = watch.lapMs();
   progress.report(0.2, "Cutting faces");
   const std::vector<Meeting> found = meetings(facets, planes, points, progress);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,8 +22,9 @@ struct Term {
 };
 
 struct ArrangedSum {
-  Mesh triangles;              ///< closed and oriented; corners are rounded to doubles. Without faces: it has no volume
-  std::size_t candidates = 0;  ///< facets that may bound it
+  Mesh triangles;  ///< closed and oriented; corners are rounded to doubles. Without faces: it has no volume
+  /// Facets that may bound it: of corners of a and faces of b, of faces of a and corners of b, of edges.
+  std::array<std::size_t, 3> candidates{};
   double candidatesMs = 0, arrangementMs = 0, cellsMs = 0;
 };
 

@@ -68,7 +68,10 @@ Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
     throw Error(ErrorCode::Degenerate, fmt::format("{} has faces that are too small beside the other shape.", operand.name),
                 "Leave out details that are too small for its size, or choose shapes of more similar size.");
   stats_.way = Way::Arranged;
-  stats_.candidates += made->candidates;
+  for (std::size_t family = 0; family < made->candidates.size(); ++family) {
+    stats_.candidates += made->candidates[family];
+    stats_.families[family] += made->candidates[family];
+  }
   stats_.sumMs += made->candidatesMs;
   stats_.uniteMs += made->arrangementMs + made->cellsMs;
   return std::move(made->triangles);

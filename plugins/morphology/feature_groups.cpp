@@ -21,9 +21,15 @@ const char* wayOf(const MorphologyStats& stats) {
 }
 
 Value statsOf(const MorphologyStats& stats) {
-  return {
+  Value all{
       {"candidates", stats.candidates}, {"pairings", stats.pairings},  {"check_ms", stats.checkMs}, {"sum_ms", stats.sumMs},
       {"unite_ms", stats.uniteMs},      {"output_ms", stats.outputMs}, {"way", wayOf(stats)}};
+  if (stats.way == Way::Arranged) {
+    all["of_corners_and_faces"] = stats.families[0];
+    all["of_faces_and_corners"] = stats.families[1];
+    all["of_edges"] = stats.families[2];
+  }
+  return all;
 }
 
 }  // namespace

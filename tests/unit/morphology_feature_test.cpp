@@ -87,6 +87,12 @@ class MorphologyFeatureTest : public QObject {
     const Evaluated sum = made("solid-sum", Value::object(), {lBlock(), cornerTetrahedron()});
     for (const char* key : {"candidates", "check_ms", "sum_ms", "unite_ms", "output_ms"})
       QVERIFY2(sum.stats.contains(key), key);
+    std::size_t families = 0;
+    for (const char* key : {"of_corners_and_faces", "of_faces_and_corners", "of_edges"}) {
+      QVERIFY2(sum.stats.at(key).get<std::size_t>() > 0, key);
+      families += sum.stats.at(key).get<std::size_t>();
+    }
+    QCOMPARE(families, sum.stats.at("candidates").get<std::size_t>());
     QCOMPARE(figure(sum.shape, "genus"), 0.0);
     QCOMPARE(figure(sum.shape, "components"), 1.0);
     QVERIFY(made("inflate", Value::object(), {lBlock()}).stats.at("ball_deviation").get<double>() > 0);

@@ -131,6 +131,7 @@ void SweepLiveWindowTest::faultsOfTheResultAreNotShownInADrag() {
   QTest::keyClicks(&window_->view(),
                    QStringLiteral("%1, %2, %3").arg(-1.5 * place->x()).arg(-1.5 * place->y()).arg(place->z(), 0, 'g', 17));
   key(Qt::Key_Return);
+  QVERIFY2(!window_->page().tool()->entering(), qPrintable(hint()));
   waitUntilComputed();
   QTRY_VERIFY(!standIn());
   QVERIFY(window_->session().view(sweep_)->result->evaluated.stats.at("crosses_itself").get<bool>());

@@ -3538,13 +3538,6 @@
         <source>zero height</source>
         <translation>Höhe des Nullpunkts</translation>
     </message>
-</context>
-<context>
-    <name>Warnings</name>
-    <message>
-        <source>Nothing is edited yet: there is no place.</source>
-        <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>
-    </message>
     <message>
         <source>A shape to grow by in place of the ball, about the origin.</source>
         <translation>Eine Form, um die er statt um die Kugel wächst, um den Ursprung.</translation>
@@ -3600,6 +3593,13 @@
     <message>
         <source>reflex</source>
         <translation>einspringend</translation>
+    </message>
+</context>
+<context>
+    <name>Warnings</name>
+    <message>
+        <source>Nothing is edited yet: there is no place.</source>
+        <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>
     </message>
 </context>
 </TS>

@@ -128,8 +128,7 @@ void SweepLiveWindowTest::faultsOfTheResultAreNotShownInADrag() {
   const auto place = window_->page().tool()->whereabouts();
   QVERIFY(place);
   key(Qt::Key_Return);
-  QTest::keyClicks(&window_->view(),
-                   QStringLiteral("%1, %2, %3").arg(-1.5 * place->x()).arg(-1.5 * place->y()).arg(place->z(), 0, 'g', 17));
+  QTest::keyClicks(&window_->view(), QStringLiteral("@%1, %2, 0").arg(-2.5 * place->x()).arg(-2.5 * place->y()));
   key(Qt::Key_Return);
   QVERIFY2(!window_->page().tool()->entering(), qPrintable(hint()));
   waitUntilComputed();

@@ -3594,6 +3594,14 @@
         <source>reflex</source>
         <translation>einspringend</translation>
     </message>
+    <message>
+        <source>solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts mehr</translation>
+    </message>
 </context>
 <context>
     <name>Warnings</name>

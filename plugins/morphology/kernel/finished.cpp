@@ -12,6 +12,7 @@
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/arrangement/arranged_sum.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
@@ -170,6 +171,65 @@ std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
   }
 }
 
+/// The same solid where its faces cross each other by what rounding has moved them: they are cut there, and the corners lie
+/// on the grid or between. Nothing when it has faces without area.
+std::optional<Mesh> cutWhereItCrosses(const Mesh& triangles, double step, const Progress& progress) {
+  static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
+  static const Mesh none;
+  const auto made = arrangedSum({triangles, {}}, {none, origin}, step, progress);
+  if (!made || made->triangles.faceCount() == 0) return std::nullopt;
+  return made->triangles;
+}
+
+/// Rounds a surface to coarser and coarser grids until one crosses nowhere.
+class Rounding {
+ public:
+  Rounding(const Vec3& centre, Attempts& attempts, const Progress& progress)
+      : centre_(centre), attempts_(attempts), progress_(progress) {}
+
+  struct Rounded {
+    Mesh mesh;
+    double step = 0;
+  };
+  /// @param forms the same surface, with polygons or triangles
+  [[nodiscard]] std::optional<Rounded> from(const std::vector<Mesh>& forms, int finest) {
+    constexpr int mostBits = 16;
+    for (int bits = 0; bits <= mostBits; bits += 2)
+      for (const Mesh& form : forms)
+        if (auto made = onGrid(form, std::ldexp(1, finest + bits))) return made;
+    for (int bits = 0; bits <= mostBits; bits += 4)
+      if (auto made = cutOnGrid(forms.back(), std::ldexp(1, finest + bits))) return made;
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Rounded> onGrid(const Mesh& form, double step) {
+    const Mesh snapped = inOrder(snappedTo(form, centre_, step, progress_));
+    if (auto made = attempts_.withFewerPolygons(snapped)) return Rounded{*std::move(made), step};
+    if (const auto whole = mended(snapped, progress_))
+      if (auto made = attempts_.asIs(*whole)) return Rounded{*std::move(made), step};
+    return std::nullopt;
+  }
+
+  /// Cutting moves corners off the grid, rounding them may make faces cross again, by less.
+  std::optional<Rounded> cutOnGrid(Mesh triangles, double step) {
+    constexpr int rounds = 4;
+    for (int round = 0; round < rounds; ++round) {
+      const auto whole = mended(inOrder(snappedTo(triangles, centre_, step, progress_)), progress_);
+      if (!whole) return std::nullopt;
+      const auto cut = cutWhereItCrosses(*whole, step, progress_);
+      if (!cut) return std::nullopt;
+      triangles = inOrder(manifoldOf(*cut, progress_));
+      if (auto made = onGrid(triangles, step)) return made;
+    }
+    return std::nullopt;
+  }
+
+  const Vec3& centre_;
+  Attempts& attempts_;
+  const Progress& progress_;
+};
+
 std::string movedBySentence(double step) {
   return fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", step);
 }
@@ -188,16 +248,9 @@ Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(triangles)) return {inOrder(*made), {}};
   const int finest = std::ilogb(std::max(size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
-  for (int bits = 0; bits <= 16; bits += 2) {
-    const double step = std::ldexp(1, finest + bits);
-    for (const Mesh* form : {&joined, &triangles}) {
-      const Mesh snapped = inOrder(snappedTo(*form, centre, step, progress));
-      if (auto made = attempts.withFewerPolygons(snapped)) return {inOrder(*made), movedBySentence(step)};
-      if (const auto whole = mended(snapped, progress))
-        if (auto made = attempts.asIs(*whole)) return {inOrder(*made), movedBySentence(step)};
-      if (attempts.crossing()) crossing = attempts.crossing();
-    }
-  }
+  if (auto made = Rounding(centre, attempts, progress).from({joined, triangles}, finest))
+    return {inOrder(made->mesh), movedBySentence(made->step)};
+  if (attempts.crossing()) crossing = attempts.crossing();
   throw Error(ErrorCode::Degenerate,
               crossing
                   ? fmt::format("With corners rounded to numbers of 16 digits the result crosses itself near {}.",
@@ -205,6 +258,14 @@ Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress
                   : fmt::format("With corners rounded to numbers of 16 digits nothing closed is left of the result near {}.",
                                 Subject{}.place(centre)),
               "Move the shapes nearer to the origin, or leave out details that are too small for their size.");
+}
+
+std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& progress) {
+  const Vec3 centre = Vec3::Zero();
+  Attempts attempts(centre, progress);
+  auto made = Rounding(centre, attempts, progress).from({triangles}, std::ilogb(step));
+  if (!made) return std::nullopt;
+  return OnGrid{triangulated(made->mesh, progress).first, made->step};
 }
 
 }  // namespace blossom::morphology

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/progress.h"
@@ -18,5 +19,13 @@ struct Finished {
 /// are rounded to coarser and coarser grids. The same solid always results in the same mesh, however it was triangulated.
 /// @throws Error Degenerate with the place when faces intersect on every grid, Internal, Cancelled.
 Finished finished(const Mesh& triangles, const Vec3& centre, const Progress&);
+
+struct OnGrid {
+  Mesh triangles;
+  double step = 0;
+};
+/// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^16 times as coarse, that cross
+/// nowhere; corners that come together there are one. Nothing when that fails. @pre a closed surface
+std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

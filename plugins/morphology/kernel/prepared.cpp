@@ -12,6 +12,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/convex/hull.h"
+#include "kernel/finished.h"
 #include "kernel/flatness.h"
 #include "kernel/solid_check.h"
 
@@ -94,27 +95,22 @@ Mesh snapped(Mesh mesh, double step) {
   return mesh;
 }
 
-struct OnGrid {
+struct CheckedOnGrid {
   CheckedSolid solid;
   double step;
 };
 
 /// Rounding to the grid may make faces cross that do not: then they are rounded to a coarser one.
 /// @param given the same where it lies: moving it has rounded it, too
-OnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, double step, const Subject& subject, const Progress& progress) {
+CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, double step, const Subject& subject,
+                            const Progress& progress) {
   try {
     return {checkedSolid(snapped(mesh, step), subject, progress), step};
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
-    constexpr int mostBits = 16;
-    for (int bits = 2; bits <= mostBits; bits += 2)
-      for (const Mesh& form : {mesh, triangulated(mesh).first}) try {
-          const double coarser = std::ldexp(step, bits);
-          return {checkedSolid(snapped(form, coarser), subject, progress), coarser};
-        } catch (const Error& another) {
-          if (another.code() != ErrorCode::InvalidInput) throw;
-        }
-    throw;
+    const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, step, progress);
+    if (!coarser) throw;
+    return {checkedSolid(coarser->triangles, subject, progress), coarser->step};
   }
 }
 

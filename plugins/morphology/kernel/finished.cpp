@@ -12,7 +12,6 @@
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
-#include "kernel/arrangement/arranged_sum.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
@@ -171,16 +170,6 @@ std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
   }
 }
 
-/// The same solid where its faces cross each other by what rounding has moved them: they are cut there, and the corners lie
-/// on the grid or between. Nothing when it has faces without area.
-std::optional<Mesh> cutWhereItCrosses(const Mesh& triangles, double step, const Progress& progress) {
-  static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
-  static const Mesh none;
-  const auto made = arrangedSum({triangles, {}}, {none, origin}, step, progress);
-  if (!made || made->triangles.faceCount() == 0) return std::nullopt;
-  return made->triangles;
-}
-
 /// Rounds a surface to coarser and coarser grids until one crosses nowhere.
 class Rounding {
  public:
@@ -197,8 +186,6 @@ class Rounding {
     for (int bits = 0; bits <= mostBits; bits += 2)
       for (const Mesh& form : forms)
         if (auto made = onGrid(form, std::ldexp(1, finest + bits))) return made;
-    for (int bits = 0; bits <= mostBits; bits += 4)
-      if (auto made = cutOnGrid(forms.back(), std::ldexp(1, finest + bits))) return made;
     return std::nullopt;
   }
 
@@ -208,20 +195,6 @@ class Rounding {
     if (auto made = attempts_.withFewerPolygons(snapped)) return Rounded{*std::move(made), step};
     if (const auto whole = mended(snapped, progress_))
       if (auto made = attempts_.asIs(*whole)) return Rounded{*std::move(made), step};
-    return std::nullopt;
-  }
-
-  /// Cutting moves corners off the grid, rounding them may make faces cross again, by less.
-  std::optional<Rounded> cutOnGrid(Mesh triangles, double step) {
-    constexpr int rounds = 4;
-    for (int round = 0; round < rounds; ++round) {
-      const auto whole = mended(inOrder(snappedTo(triangles, centre_, step, progress_)), progress_);
-      if (!whole) return std::nullopt;
-      const auto cut = cutWhereItCrosses(*whole, step, progress_);
-      if (!cut) return std::nullopt;
-      triangles = inOrder(manifoldOf(*cut, progress_));
-      if (auto made = onGrid(triangles, step)) return made;
-    }
     return std::nullopt;
   }
 

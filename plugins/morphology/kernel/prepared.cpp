@@ -20,10 +20,10 @@ namespace blossom::morphology {
 
 namespace {
 
-/// Doubles of the largest coordinates are kept as they are, so that results are read again as they were checked.
-constexpr int gridBits = 52;
+/// Nearly all doubles are kept as they are, so that results are read again as they were checked.
+constexpr int gridBits = 57;
 /// The planar engine takes numbers of 46 bits.
-constexpr double prismSteps = 64;
+constexpr double prismSteps = 1 << 13;
 
 Vec3 snapped(const Vec3& p, double step) {
   const Vec3 q = p / step;
@@ -54,6 +54,15 @@ Mesh hullOfConvex(const Mesh& triangles) {
   Mesh hull = hullTriangles(triangles.points);
   const double added = signedVolume(hull) - signedVolume(triangles);
   return std::abs(added) <= tolerance * area(triangles) ? hull : Mesh();
+}
+
+/// A point about which no coordinate of a box loses digits: along an axis on which it lies near the origin, the origin.
+Vec3 exactCentre(const Bounds& box, double step) {
+  Vec3 centre = snapped(box.center(), step);
+  const double near = 2 * (box.high - box.low).maxCoeff();
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (std::abs(centre[k]) <= near) centre[k] = 0;
+  return centre;
 }
 
 Bounds boundsOfPoints(const std::vector<Vec3>& points) {
@@ -125,7 +134,7 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   Prepared result;
   result.name = operand.name;
   const Bounds box = operand.bounds();
-  result.centre = snapped(box.center(), grid.step);
+  result.centre = exactCentre(box, grid.step);
   const auto local = [&](const Vec3& p) { return snapped(p - result.centre, grid.step); };
   if (operand.form != Operand::Form::Body) {
     result.pieces = operand.pieces;

@@ -32,7 +32,7 @@ struct ArrangedSum {
 /// other in exact arithmetic, and those before which there is no sum are its boundary. Terms are scaled, then rounded to the
 /// grid: nothing where that leaves triangles without area. Bodies of a solid may overlap. Parts of the sum without volume
 /// are left out. O((n + m) log n) for the pairs of n and m features, O(k log k) for k facets that meet.
-/// @param kept what `keptPairs` found for the same solids  @pre sums reach no further than 2^54 steps. @throws Error
+/// @param kept what `keptPairs` found for the same solids  @pre sums reach no further than 2^60 steps. @throws Error
 /// Cancelled.
 std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress&,
                                        const arrangement::FeaturePairs* kept = nullptr);

@@ -38,7 +38,7 @@ inline Eigen::Vector3d inDoubles(const Grid3& p) {
 
 /// Of a solid. Points are scaled, then rounded to multiples of `step`; a factor below 0 mirrors the solid in the origin. The
 /// solid `insideOut` is its complement. Nothing when rounding leaves a triangle without area, and where an edge has not two
-/// faces. @pre oriented triangles with coordinates below 2^53 steps once they are scaled
+/// faces. @pre oriented triangles with coordinates below 2^59 steps once they are scaled
 std::optional<Features> featuresOf(const Mesh& triangles, double factor, double step, bool insideOut = false);
 
 /// Of triangles (which have two faces each), segments or points.

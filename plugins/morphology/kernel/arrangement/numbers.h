@@ -4,18 +4,18 @@
 #include <cmath>
 #include <cstdint>
 
-/// Numbers of the exact arrangement. Coordinates are whole multiples of the grid, below 2^54; doubles with a bound of their
+/// Numbers of the exact arrangement. Coordinates are whole multiples of the grid, below 2^60; doubles with a bound of their
 /// error decide nearly all signs, long integers the rest.
 namespace blossom::morphology::arrangement {
 
 __extension__ using Int128 = __int128;
-/// Wide enough for the determinant of three intersections of three planes each: 1104 bits.
+/// Wide enough for the determinant of three intersections of three planes each: 1224 bits.
 using Whole =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1152, 1152, boost::multiprecision::signed_magnitude,
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1280, 1280, boost::multiprecision::signed_magnitude,
                                                                          boost::multiprecision::unchecked, void>>;
-/// Steps of the grid within which doubles find a point of the arrangement: the grid is as fine as doubles of the largest
+/// Steps of the grid within which doubles find a point of the arrangement: the grid is finer than doubles of the largest
 /// coordinates, and a few operations cost some bits.
-inline constexpr int blur = 256;
+inline constexpr int blur = 1 << 14;
 
 using Grid3 = std::array<std::int64_t, 3>;  ///< a point or a direction in units of the grid
 using Normal3 = std::array<Int128, 3>;      ///< a cross product of two directions

@@ -60,7 +60,7 @@ void PlaneMap::startWith(const Facet& facet) {
 
 void PlaneMap::startAround(const std::vector<const Facet*>& facets) {
   const Plane& plane = planes_[plane_];
-  constexpr std::int64_t far = std::int64_t{1} << 56;
+  constexpr std::int64_t far = std::int64_t{1} << 61;
   constexpr std::array<std::array<std::int64_t, 2>, 3> corners{{{-far, -far}, {2 * far, -far}, {-far, 2 * far}}};
   Triangle whole;
   for (std::size_t k = 0; k < 3; ++k) {

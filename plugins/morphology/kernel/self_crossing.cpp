@@ -65,15 +65,17 @@ Crossings crossingsOf(const std::vector<Triangle>& triangles, const Progress& pr
   return found;
 }
 
-Surface surfaceOf(const Mesh& mesh) {
+/// Nothing where faces do not make a manifold.
+std::optional<Surface> surfaceOf(const Mesh& mesh) {
   Surface surface;
   std::vector<Surface::Vertex_index> vertices;
   for (const Vec3& p : mesh.points) vertices.push_back(surface.add_vertex(toKernel(p)));
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto face = mesh.face(f);
     const auto at = [&](std::size_t k) { return vertices[static_cast<std::size_t>(face[k])]; };
-    surface.add_face(at(0), at(1), at(2));
+    if (surface.add_face(at(0), at(1), at(2)) == Surface::null_face()) return std::nullopt;
   }
+  if (!surface.is_valid(false)) return std::nullopt;
   return surface;
 }
 
@@ -104,11 +106,14 @@ std::optional<Vec3> firstDegenerate(const Mesh& mesh) {
 
 Mesh withoutDegenerate(const Mesh& triangles, const Subject& subject) {
   if (!firstDegenerate(triangles)) return triangles;
-  Surface surface = surfaceOf(triangles);
-  CGAL::Polygon_mesh_processing::remove_degenerate_faces(surface);
-  Mesh mended = meshOf(surface);
+  std::optional<Surface> surface = surfaceOf(triangles);
+  Mesh mended;
+  if (surface) {
+    CGAL::Polygon_mesh_processing::remove_degenerate_faces(*surface);
+    mended = meshOf(*surface);
+  }
   const auto left = firstDegenerate(mended);
-  if (left || !meshTopology(mended).closed())
+  if (!surface || left || !meshTopology(mended).closed())
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} has faces without area near {}.", subject.name,
                             subject.place(left.value_or(*firstDegenerate(triangles)))),

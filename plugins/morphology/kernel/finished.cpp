@@ -182,7 +182,7 @@ class Rounding {
   };
   /// @param forms the same surface, with polygons or triangles
   [[nodiscard]] std::optional<Rounded> from(const std::vector<Mesh>& forms, int finest) {
-    constexpr int mostBits = 16;
+    constexpr int mostBits = 24;
     for (int bits = 0; bits <= mostBits; bits += 2)
       for (const Mesh& form : forms)
         if (auto made = onGrid(form, std::ldexp(1, finest + bits))) return made;

@@ -24,7 +24,7 @@ struct OnGrid {
   Mesh triangles;
   double step = 0;
 };
-/// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^16 times as coarse, that cross
+/// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^24 times as coarse, that cross
 /// nowhere; corners that come together there are one. Nothing when that fails. @pre a closed surface
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& = Progress::none());
 

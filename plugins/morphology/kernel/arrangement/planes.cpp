@@ -70,9 +70,9 @@ Planes::Added Planes::add(const Normal3& normal, const Grid3& point) {
   const auto [from, to] = index_.equal_range(key);
   for (auto it = from; it != to; ++it) {
     // Offsets that are equal modulo 2^128 need not be equal.
-    const Grid3 from = point - planes_[static_cast<std::size_t>(it->second)].point;
-    const Bounded apart = dot(plane.about, exactly(from));
-    if (!apart.decided() && dot(plane.normal, from) == 0) return {it->second, sameWay};
+    const Grid3 away = point - planes_[static_cast<std::size_t>(it->second)].point;
+    const Bounded apart = dot(plane.about, exactly(away));
+    if (!apart.decided() && dot(plane.normal, away) == 0) return {it->second, sameWay};
   }
   plane.axis = largest(plane.about);
   plane.u = (plane.axis + 1) % 3;

@@ -126,7 +126,7 @@ class Attempts {
     Mesh there = movedFrom(mesh, centre_);
     if (!everyEdgeHasLength(there)) return std::nullopt;
     crossing_ = firstCrossing(there, progress_);
-    if (crossing_) return std::nullopt;
+    if (crossing_ || firstTwistedEdge(there, progress_)) return std::nullopt;
     return there;
   }
 

@@ -61,11 +61,17 @@ class Round {
     x_ = axis_.unitOrthogonal();
     y_ = axis_.cross(x_);
   }
-  /// Faces leave their edge to its left: normal x direction of travel.
+  /// Towards the corner that is farthest from the edge, as the normal of a sliver has no digits left. A face leaves its edge
+  /// to the left, normal x direction of travel, where a triangle always lies and a polygon may bulge to the other side.
   [[nodiscard]] double angle(const Side& side) const {
     const auto points = facePoints(mesh_, static_cast<std::size_t>(side.face));
-    const Vec3 inward = vectorArea(points).cross(side.forward ? axis_ : Vec3(-axis_));
-    return std::atan2(inward.dot(y_), inward.dot(x_));
+    Vec3 away = Vec3::Zero();
+    for (const Vec3& p : points) {
+      const Vec3 across = (p - from_) - axis_.dot(p - from_) * axis_;
+      if (across.squaredNorm() > away.squaredNorm()) away = across;
+    }
+    if (points.size() > 3 && vectorArea(points).cross(side.forward ? axis_ : Vec3(-axis_)).dot(away) < 0) away = -away;
+    return std::atan2(away.dot(y_), away.dot(x_));
   }
 
  private:
@@ -170,6 +176,59 @@ Mesh manifoldOfTriangles(const Mesh& triangles, const Progress& progress) {
     addCut({face[0], face[1], face[2]}, middles, cut);
   }
   return manifoldOf(cut, progress);
+}
+
+namespace {
+
+/// Equal places are one corner.
+Mesh withSharedCorners(const Mesh& mesh) {
+  Mesh shared = mesh;
+  std::map<std::array<double, 3>, int> numbers;
+  for (int& corner : shared.faceVertices) {
+    const Vec3& p = mesh.points[static_cast<std::size_t>(corner)];
+    corner = numbers.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, corner).first->second;
+  }
+  return shared;
+}
+
+/// Around the edge, faces that run forwards and backwards take turns. Faces in one direction count as in order.
+bool takeTurns(const Mesh& mesh, std::span<const Side> sides) {
+  constexpr double together = 1e-12;  // radians
+  const Round round(mesh, sides[0].edge.first, sides[0].edge.second);
+  std::vector<std::pair<double, bool>> sorted;
+  for (const Side& side : sides) sorted.emplace_back(round.angle(side), side.forward);
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    const auto& [here, forward] = sorted[k];
+    const auto& [there, alsoForward] = sorted[(k + 1) % sorted.size()];
+    const double apart = std::abs(std::remainder(there - here, 2 * std::numbers::pi));
+    if (forward == alsoForward && apart > together) {
+      // Of faces that lie on each other the sort has taken one first: the other may be the one that is next.
+      const auto swaps = [&](std::size_t at, std::size_t with) {
+        return sorted[at].second != sorted[with].second &&
+               std::abs(std::remainder(sorted[at].first - sorted[with].first, 2 * std::numbers::pi)) <= together;
+      };
+      const std::size_t n = sorted.size(), next = (k + 1) % n;
+      if (!swaps(k, (k + n - 1) % n) && !swaps(next, (next + 1) % n)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<TwistedEdge> firstTwistedEdge(const Mesh& mesh, const Progress& progress) {
+  const Mesh shared = withSharedCorners(mesh);
+  std::optional<TwistedEdge> found;
+  forEachEdge(sidesOf(shared), [&](std::span<const Side> sides) {
+    if (found || sides.size() <= 2 || sides[0].edge.first == sides[0].edge.second) return;
+    progress.check();
+    if (takeTurns(shared, sides)) return;
+    const auto at = [&](int v) { return shared.points[static_cast<std::size_t>(v)]; };
+    found = TwistedEdge{(at(sides[0].edge.first) + at(sides[0].edge.second)) / 2, {}};
+    for (const Side& side : sides) found->faces.push_back(static_cast<std::size_t>(side.face));
+  });
+  return found;
 }
 
 }  // namespace blossom::morphology

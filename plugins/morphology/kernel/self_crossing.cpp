@@ -6,11 +6,13 @@
 #include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/triangle_crossing.h"
+#include "kernel/manifold.h"
 
 namespace blossom::morphology {
 
@@ -123,7 +125,13 @@ Mesh withoutDegenerate(const Mesh& triangles, const Subject& subject) {
 
 void refuseCrossing(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
   const MeshTopology topology = meshTopology(solid.triangles, progress);
-  const Crossings found = crossingsOf(trianglesOf(solid.triangles, topology.componentOfFace), progress);
+  Crossings found = crossingsOf(trianglesOf(solid.triangles, topology.componentOfFace), progress);
+  if (const auto twisted = firstTwistedEdge(solid.triangles, progress); twisted && !found.within) {
+    const int component = topology.componentOfFace[twisted->faces.front()];
+    const bool same = std::all_of(twisted->faces.begin(), twisted->faces.end(),
+                                  [&](std::size_t f) { return topology.componentOfFace[f] == component; });
+    (same ? found.within : found.between) = twisted->place;
+  }
   if (found.within)
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} crosses or touches itself near {}.", subject.name, subject.place(*found.within)),

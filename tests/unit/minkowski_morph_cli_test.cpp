@@ -86,6 +86,31 @@ class MinkowskiMorphCliTest : public QObject {
     COMPARE_NEAR(all.result("area"), 9 * pi, 1e-9);
   }
 
+  /// A bar with a bulge and one with a dent, both less than the tolerance: the bulge goes on at both ends of the dent.
+  void flatBulgesAndDents() {
+    for (const double h : {0.001, 0.01, 0.1}) {
+      for (const int side : {1, -1}) {
+        const std::string segments = fmt::format(
+            R"([{{"kind":"arc","through":[[50,{},0]],"to":[100,0,0]}},{{"kind":"line","to":[100,-10,0]}},{{"kind":"line","to":[0,-10,0]}}])",
+            side * h);
+        QCOMPARE(
+            blossom({"outline", "--segments", QString::fromStdString(segments), "-o", side > 0 ? "bulge.dxf" : "dent.dxf"})
+                .code,
+            0);
+      }
+      // Two bulges of half the width and height; an arc of a small sagitta s over a chord c encloses 2/3 s c.
+      const double expected = 1000 + 2 * (2.0 / 3) * (h / 2) * 50;
+      for (const bool turned : {false, true}) {
+        const QStringList shapes = turned ? QStringList{"dent.dxf", "bulge.dxf"} : QStringList{"bulge.dxf", "dent.dxf"};
+        const Answer made = blossom(QStringList{"morph"} + shapes +
+                                    QStringList{"--t", "0.5", "--tolerance", QString::number(std::max(h, 0.01))});
+        QCOMPARE(made.code, 0);
+        COMPARE_NEAR(made.result("area"), expected, 1e-4 * h * 100 + 1e-5);
+        QCOMPARE(made.result("arcs"), 2.0);
+      }
+    }
+  }
+
   /// Radii are blended as numbers are: r (1-t1)(1-t2) + s (t1 + t2 - 2 t1 t2) + q t1 t2.
   void aPathLeadsThroughTheBlossom() {
     const QStringList discs{"morph", "circle:2", "circle:8", "circle:3", "--path", "0,0; 0.2,0.9; 1,1"};

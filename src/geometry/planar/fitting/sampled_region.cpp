@@ -18,11 +18,13 @@ class ArcSampler {
  public:
   ArcSampler(const std::vector<double>& normals, double tolerance) : normals_(normals), tolerance_(tolerance) {}
 
-  /// Angles from the start of an arc to its end, both included.
+  /// Angles from the start of an arc to its end, both included, and one between: a single chord would not tell a hollow side
+  /// from a bulging one, of which sums make other curves.
   std::vector<double> anglesOf(const Arc2& arc) const {
     std::vector<double> cuts = cutsOf(arc), angles;
+    const int least = cuts.size() == 2 ? 2 : 1;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      const int parts = partsOf(arc, cuts[i + 1] - cuts[i]);
+      const int parts = std::max(least, partsOf(arc, cuts[i + 1] - cuts[i]));
       for (int k = 0; k < parts; ++k) angles.push_back(cuts[i] + (cuts[i + 1] - cuts[i]) * k / parts);
     }
     angles.push_back(cuts.back());

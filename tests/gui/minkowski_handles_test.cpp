@@ -143,6 +143,13 @@ void MinkowskiHandlesTest::aDragCanBeGivenUp() {
     QCOMPARE(bench.document().at(id).parameters.size(), std::size_t{1});
   }
   QCOMPARE(bench.steps(), before);
+  // What is lit is what lies under the mouse now.
+  QVERIFY(tool.press(at(second.x(), second.y(), Qt::LeftButton)));
+  tool.move(at(second.x() + 300, second.y() + 300));
+  QVERIFY(key(tool, Qt::Key_Escape));
+  const QString left = tool.hint();
+  tool.move(at(second.x() + 300, second.y() + 300));
+  QCOMPARE(tool.hint(), left);
 }
 
 void MinkowskiHandlesTest::aDoubleClickPutsBack() {

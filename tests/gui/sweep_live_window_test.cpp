@@ -28,6 +28,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void theSurfaceLooksAsAtRest();
   void whatWasLetGoStaysUntilItIsComputed();
   void faultsOfTheResultAreNotShownInADrag();
+  void aPressTooEarlyDoesNotTurnTheView();
   void thePlaceIsShownWhereTheMouseLetGo();
   void framesAreMeasured();
   void aLargeMotionIsDraggedLive();
@@ -117,6 +118,24 @@ void SweepLiveWindowTest::theSurfaceLooksAsAtRest() {
   const double share = other / static_cast<double>(rest.width() * rest.height());
   qInfo("figure live_pixels_apart %.5f", share);
   QVERIFY2(share < 0.01, qPrintable(QString::number(share)));  // the way is gone
+}
+
+/// While the surface of the last pull is prepared, a press on it is for the next one.
+void SweepLiveWindowTest::aPressTooEarlyDoesNotTurnTheView() {
+  openSample("propeller.json");
+  const QPoint from = onABlade(), to = from + QPoint(20, 20);
+  const Vec3 place(0, 0, 5);
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  mouse(QEvent::MouseButtonRelease, to);
+  const QPoint seen = screenOf(place);
+  mouse(QEvent::MouseButtonPress, to);
+  mouse(QEvent::MouseMove, to + QPoint(60, 30));
+  QCOMPARE(screenOf(place), seen);
+  mouse(QEvent::MouseButtonRelease, to + QPoint(60, 30));
+  QCOMPARE(screenOf(place), seen);
+  waitUntilComputed();
 }
 
 /// A side that is scaled through the trajectory crosses others. That is told of the result, not of what comes of the drag.

@@ -35,6 +35,7 @@ bool HandleTool::press(const ToolEvent& event) {
 
 bool HandleTool::move(const ToolEvent& event) {
   noteScale(event);
+  last_ = event;
   if (held_) {
     drag(event);
     emit changed();
@@ -57,16 +58,18 @@ bool HandleTool::release(const ToolEvent& event) {
 }
 
 void HandleTool::mouseGone() {
+  last_.reset();
   if (held_ || !hovered_) return;
   hovered_.reset();
   emit changed();
 }
 
-/// To undo what is not done yet is to leave it.
+/// To undo what is not done yet is to leave it. The mouse has gone on since it took the handle.
 bool HandleTool::key(const QKeyEvent& event) {
   const bool takesBack = event.key() == Qt::Key_Escape || event.matches(QKeySequence::Undo);
   if (!takesBack || !held_) return false;
   letGo();
+  hovered_ = last_ ? handleUnder(*last_) : std::nullopt;
   emit changed();
   return true;
 }

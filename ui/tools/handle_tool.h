@@ -65,6 +65,7 @@ class HandleTool : public Tool {
 
   FeatureId feature_;
   std::optional<std::size_t> hovered_, held_;
+  std::optional<ToolEvent> last_;  ///< movement of the mouse, since it is over the view
   bool previewing_ = false, committing_ = false;
   bool outdated_ = false;  ///< the document changed while a handle was held
   Document expected_;      ///< during a drag: the document as this tool left it, to detect other changes

@@ -58,6 +58,9 @@ void placeShapes(std::vector<Region>& shapes, const MorphParameters& p) {
 /// In the order of EvaluationOrder.
 std::vector<std::string> evaluationNames() { return {"automatic", "recursive", "bottom-up", "explicit", "convex"}; }
 
+constexpr const char* toleranceHelp =
+    "Largest distance between curves and the polygons that stand for them, and by which more than two terms may fill dents.";
+
 /// Of which a slider shows 0 to 1.
 ParameterSpec ratioAndBeyond() {
   constexpr double far = 10;

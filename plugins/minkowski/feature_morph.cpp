@@ -222,10 +222,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.");
   return addPlacements(builder)
-      .parameter(
-          "tolerance", &P::tolerance, toleranceSpec(),
-          "Largest distance between curves and the polygons that stand for them, and by which more than two terms may fill "
-          "dents.")
+      .parameter("tolerance", &P::tolerance, toleranceSpec(), toleranceHelp)
       .parameter("degree", &P::degree, count(0),
                  "Degree of a B-spline of shapes: so many shapes and one more act at a time. 0: one less than the number of "
                  "shapes, the Bezier morph, in which all act.")

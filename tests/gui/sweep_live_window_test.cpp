@@ -147,7 +147,8 @@ void SweepLiveWindowTest::faultsOfTheResultAreNotShownInADrag() {
   const auto place = window_->page().tool()->whereabouts();
   QVERIFY(place);
   key(Qt::Key_Return);
-  QTest::keyClicks(&window_->view(), QStringLiteral("@%1, %2, 0").arg(-2.5 * place->x()).arg(-2.5 * place->y()));
+  QTest::keyClicks(&window_->view(),
+                   QStringLiteral("@%1, %2, 0").arg(-2.5 * place->x(), 0, 'g', 17).arg(-2.5 * place->y(), 0, 'g', 17));
   key(Qt::Key_Return);
   QVERIFY2(!window_->page().tool()->entering(), qPrintable(hint()));
   waitUntilComputed();

@@ -82,6 +82,11 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   requireSolid(a);
   Work work(progress);
   const Pair pair = preparedPair(work, a, b);
+  if (isConvex(pair.a)) {  // (A + B) - B is A
+    work.stats().way = Way::Hulls;
+    work.finish(pair.a, pair.grid, 0.1, 1);
+    return work.result();
+  }
   const auto requireClosed = [](bool empty) {
     if (empty) throw Error(ErrorCode::Internal, "The closing has lost the solid.", "Please report the two shapes.");
   };

@@ -10,6 +10,7 @@
 #include "manipulators/surface_loader.h"
 #include "manipulators/typed_goal.h"
 #include "ui/tools/handle_tool.h"
+#include "ui/tools/view_props.h"
 
 namespace blossom::sweep {
 

@@ -41,10 +41,7 @@ void SurfacePullTool::show(std::shared_ptr<const LiveSurface> surface) {
   emit changed();
 }
 
-/// After an edit the surface takes a moment to be ready for the next one: who presses there does not mean the view.
 bool SurfacePullTool::press(const ui::ToolEvent& event) {
-  const bool preparing = !surface_ && overSurface_ && !loader_.wanted().empty();
-  if (preparing && event.button == Qt::LeftButton && !event.modifiers) return true;
   if (!held()) {
     if (entry_) {
       stopTyping();

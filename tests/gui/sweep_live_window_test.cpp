@@ -134,17 +134,25 @@ void SweepLiveWindowTest::faultsOfTheResultAreNotShownInADrag() {
   QVERIFY2(!window_->page().tool()->entering(), qPrintable(hint()));
   waitUntilComputed();
   QTRY_VERIFY(!standIn());
-  QVERIFY(window_->session().view(sweep_)->result->evaluated.stats.contains("crossing_place"));
+  const Value& stats = window_->session().view(sweep_)->result->evaluated.stats;
+  QVERIFY(stats.contains("crossing_place"));
+  const QPoint crossing = screenOf(vectorOf(stats.at("crossing_place")));
   const QPoint above = screenOf(Vec3(0, -10, 38));
   hover(above);
-  const auto faulty = [this] { return colored(canvas(), qtColor(Look::dark().fault)); };
+  // Of the point that marks the place; the rest of the picture has the same hue here and there.
+  const auto faulty = [&] {
+    const QImage picture = canvas();
+    const double ratio = picture.width() / static_cast<double>(window_->view().width());
+    const QRectF around(QPointF(crossing - QPoint(6, 6)) * ratio, QSizeF(12, 12) * ratio);
+    return colored(picture.copy(around.toRect()), qtColor(Look::dark().fault));
+  };
   const double atRest = faulty();
   mouse(QEvent::MouseButtonPress, above);
   mouse(QEvent::MouseMove, above + QPoint(12, 0));
   QVERIFY(standIn());
   const double during = faulty();
   mouse(QEvent::MouseButtonRelease, above + QPoint(12, 0));
-  QVERIFY2(atRest > 2e-5 && during < atRest / 4, qPrintable(QStringLiteral("%1 %2").arg(atRest).arg(during)));
+  QVERIFY2(atRest > 0.2 && during < atRest / 4, qPrintable(QStringLiteral("%1 %2").arg(atRest).arg(during)));
 }
 
 void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {

@@ -12,10 +12,10 @@
 /// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
 /// Morphology", sections 2 and 3). Coordinates are absolute: the origin matters, and need not lie in either shape.
 ///
-/// Operands are rounded to a grid of 2^-57 of their size, then all is computed in exact arithmetic, except that bends too
-/// small to be distinguished from that rounding are ignored (see flatness.h). The corners of results are rounded to doubles,
-/// and an exact test for intersections of faces follows. Solids are regular closed sets: parts without volume are left out.
-/// They may touch themselves in common vertices and edges.
+/// Operands are rounded to a grid of 2^-44 of their size, or of 2^-57 where the first makes faces cross, then all is
+/// computed in exact arithmetic, except that bends too small to be distinguished from that rounding are ignored (see
+/// flatness.h). The corners of results are rounded to doubles, and an exact test for intersections of faces follows. Solids
+/// are regular closed sets: parts without volume are left out. They may touch themselves in common vertices and edges.
 namespace blossom::morphology {
 
 /// How a result was made; all ways give the same solid.

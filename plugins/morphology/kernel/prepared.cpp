@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/arrangement/numbers.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
@@ -20,10 +22,8 @@ namespace blossom::morphology {
 
 namespace {
 
-/// Nearly all doubles are kept as they are, so that results are read again as they were checked.
+/// Nearly all doubles are kept as they are where they must be: results are read again as they were checked.
 constexpr int gridBits = 57;
-/// The planar engine takes numbers of 46 bits.
-constexpr double prismSteps = 1 << 13;
 
 Vec3 snapped(const Vec3& p, double step) {
   const Vec3 q = p / step;
@@ -109,15 +109,27 @@ struct CheckedOnGrid {
   double step;
 };
 
-/// Rounding to the grid may make faces cross that do not: then they are rounded to a coarser one.
-/// @param given the same where it lies: moving it has rounded it, too
-CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, double step, const Subject& subject,
-                            const Progress& progress) {
+std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, const Subject& subject, const Progress& progress) {
   try {
-    return {checkedSolid(snapped(mesh, step), subject, progress), step};
+    return checkedSolid(mesh, subject, progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput) throw;
+    return std::nullopt;
+  }
+}
+
+/// Rounding may make faces cross that do not: then the finest grid is tried, which keeps nearly all doubles as they are, and
+/// coarser ones at last.
+/// @param given the same where it lies: moving it has rounded it, too
+CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGrid& grid, const Subject& subject,
+                            const Progress& progress) {
+  const double usual = grid.usualStep();
+  try {
+    return {checkedSolid(snapped(mesh, usual), subject, progress), usual};
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
-    const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, step, progress);
+    if (auto checked = checkedIfSound(snapped(mesh, grid.step), subject, progress)) return {*std::move(checked), grid.step};
+    const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, usual, progress);
     if (!coarser) throw;
     return {checkedSolid(coarser->triangles, subject, progress), coarser->step};
   }
@@ -130,12 +142,15 @@ CommonGrid gridFor(const Bounds& a, const Bounds& b) {
   return {std::ldexp(1, std::ilogb(std::max(largest, 1e-9)) + 1 - gridBits)};
 }
 
+double CommonGrid::usualStep() const { return static_cast<double>(arrangement::usualSteps) * step; }
+
 Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress& progress) {
   Prepared result;
   result.name = operand.name;
   const Bounds box = operand.bounds();
-  result.centre = exactCentre(box, grid.step);
-  const auto local = [&](const Vec3& p) { return snapped(p - result.centre, grid.step); };
+  const double usual = grid.usualStep();
+  result.centre = exactCentre(box, usual);
+  const auto local = [&](const Vec3& p) { return snapped(p - result.centre, usual); };
   if (operand.form != Operand::Form::Body) {
     result.pieces = operand.pieces;
     for (auto& piece : result.pieces)
@@ -145,21 +160,21 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   Mesh mesh = operand.mesh;
   for (Vec3& p : mesh.points) p -= result.centre;
   refuseUnusable(mesh, {operand.name, result.centre});
-  if (Mesh hull = snapped(mesh, grid.step); isHull(hull)) {
+  if (Mesh hull = snapped(mesh, usual); isHull(hull)) {
     result.bounds = boundsOfPoints(hull.points);
-    result.prisms = prismsOf(hull, prismSteps * grid.step, progress);
+    result.prisms = prismsOf(hull, usual, progress);
     result.hull = result.triangles = std::move(hull);
     return result;
   }
-  auto [checked, step] = checkedOnGrid(mesh, operand.mesh, grid.step, {operand.name, result.centre}, progress);
-  if (step > grid.step)
+  auto [checked, step] = checkedOnGrid(mesh, operand.mesh, grid, {operand.name, result.centre}, progress);
+  if (step > usual)
     checked.warnings.push_back(
         fmt::format("{} has been rounded to {:.2g} mm, so that none of its faces cross.", operand.name, step));
   // What is left of crossings then lies between bodies, and has a warning.
   result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);
   result.bounds = boundsOfPoints(checked.triangles.points);
-  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, prismSteps * grid.step, progress);
+  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, usual, progress);
   result.hull = hullOfConvex(checked.triangles);
   result.triangles = result.hull.faceCount() > 0 ? result.hull : std::move(checked.triangles);
   return result;

@@ -25,6 +25,7 @@ struct Prepared {
 /// Common grid of two operands.
 struct CommonGrid {
   double step = 1;
+  [[nodiscard]] double usualStep() const;  ///< to which they are rounded, unless that makes faces cross
 };
 CommonGrid gridFor(const Bounds& a, const Bounds& b);
 

@@ -13,7 +13,9 @@ namespace {
 
 Grid3 onGrid(const Vec3& p, double factor, double step) {
   Grid3 point{};
-  for (std::size_t k = 0; k < 3; ++k) point[k] = std::llround(factor * p[static_cast<Eigen::Index>(k)] / step);
+  const std::int64_t unit = std::abs(factor) == 1 ? 1 : usualSteps;
+  for (std::size_t k = 0; k < 3; ++k)
+    point[k] = unit * std::llround(factor * p[static_cast<Eigen::Index>(k)] / (static_cast<double>(unit) * step));
   return point;
 }
 

@@ -17,6 +17,10 @@ using Whole =
 /// coordinates, and a few operations cost some bits.
 inline constexpr int blur = 1 << 14;
 
+/// Steps of the grid to which shapes are rounded as a rule. What nearly touches then touches, or is far enough apart for
+/// results in doubles; only what crosses itself when it is rounded so is read as it is.
+inline constexpr std::int64_t usualSteps = 1 << 13;
+
 using Grid3 = std::array<std::int64_t, 3>;  ///< a point or a direction in units of the grid
 using Normal3 = std::array<Int128, 3>;      ///< a cross product of two directions
 

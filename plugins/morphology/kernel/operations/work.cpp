@@ -15,8 +15,9 @@ namespace {
 /// On the grid, without triangles that have no area there.
 Mesh scaledWithoutDegenerate(const Prepared& operand, double factor, const CommonGrid& grid) {
   Mesh scaled = operand.triangles;
+  const double step = grid.usualStep();
   for (Vec3& p : scaled.points)
-    for (Eigen::Index k = 0; k < 3; ++k) p[k] = grid.step * std::nearbyint(factor * p[k] / grid.step);
+    for (Eigen::Index k = 0; k < 3; ++k) p[k] = step * std::nearbyint(factor * p[k] / step);
   return withoutDegenerate(scaled, {operand.name});
 }
 

@@ -208,7 +208,8 @@ std::shared_ptr<const FeaturePairs> keptPairs(const Term& a, const Term& b, doub
                                               const Progress& progress) {
   const auto first = shapeOf(a, step), second = shapeOf(b, step);
   if (!first || !second) return nullptr;
-  const double rounding = 2 / leastFactor;  // a corner by half a step along each axis, an edge by twice that
+  // A corner of a scaled shape moves by half a usual step along each axis, an edge by twice that.
+  const double rounding = 2 * static_cast<double>(usualSteps) / leastFactor;
   return std::make_shared<const FeaturePairs>(nearPairs(first->whole, second->whole, rounding, progress));
 }
 

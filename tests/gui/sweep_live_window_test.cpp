@@ -28,6 +28,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void theSurfaceLooksAsAtRest();
   void whatWasLetGoStaysUntilItIsComputed();
   void faultsOfTheResultAreNotShownInADrag();
+  void aPressWhileThatIsComputedIsADrag();
   void thePlaceIsShownWhereTheMouseLetGo();
   void framesAreMeasured();
   void aLargeMotionIsDraggedLive();
@@ -177,6 +178,38 @@ void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {
   QVERIFY(standIn());
   window_->session().undo();
   QVERIFY(!standIn());
+  waitUntilComputed();
+}
+
+/// Who goes on at once finds neither the view turned nor the second drag lost, though nothing can be taken hold of yet.
+void SweepLiveWindowTest::aPressWhileThatIsComputedIsADrag() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide(), to = from + QPoint(30, -10), on = to + QPoint(20, 15);
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  mouse(QEvent::MouseButtonRelease, to);
+  const Value first = only("sweep.pull").parameters;
+  const Vec3 eye = window_->view().camera().turn().toCamera();
+  mouse(QEvent::MouseButtonPress, to);
+  mouse(QEvent::MouseMove, on);
+  QTRY_VERIFY2_WITH_TIMEOUT(hint().startsWith(QStringLiteral("Let go to pull")), qPrintable(hint()), 60000);
+  QVERIFY(window_->view().camera().turn().toCamera() == eye);
+  mouse(QEvent::MouseButtonRelease, on);
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  const Vec3 goal = vectorOf(only("sweep.pull").parameters["pulls"][0]["to"]);
+  QVERIFY(only("sweep.pull").parameters != first);
+  QVERIFY2((screenOf(goal) - on).manhattanLength() <= 2, "the point is where the mouse let go");
+
+  // Beside the surface the press is for the camera.
+  mouse(QEvent::MouseButtonPress, on);
+  mouse(QEvent::MouseMove, on + QPoint(10, 10));
+  mouse(QEvent::MouseButtonRelease, on + QPoint(10, 10));
+  mouse(QEvent::MouseButtonPress, QPoint(20, window_->view().height() - 20));
+  mouse(QEvent::MouseMove, QPoint(60, window_->view().height() - 60));
+  mouse(QEvent::MouseButtonRelease, QPoint(60, window_->view().height() - 60));
+  QVERIFY(window_->view().camera().turn().toCamera() != eye);
   waitUntilComputed();
 }
 

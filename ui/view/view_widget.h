@@ -157,6 +157,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   bool offerTab(const QKeyEvent&);
   void takeKeys();
   void hoverAt(QPointF at, Qt::KeyboardModifiers);
+  void hoverAgain();
   void setHovered(const Pick&);
   void startDrag(QPointF at, Qt::MouseButtons, Qt::KeyboardModifiers);
   void click(QPointF at, Qt::KeyboardModifiers);
@@ -177,6 +178,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   QPointer<Tool> tool_;
   bool handles_ = false, toolHasMouse_ = false;
   bool toolStale_ = false;            ///< what it draws
+  std::optional<QPointF> mouseAt_;    ///< over the view, with no button down
   std::optional<QPointF> pressedAt_;  ///< where the tool took a press; empty after a double click, which is done
   KeyOffer keyOffer_ = KeyOffer::None;
   PickMode pickMode_ = PickMode::Feature;

@@ -46,6 +46,7 @@ QString ViewWidget::restingHint() const {
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   event->accept();
+  mouseAt_.reset();
   if (secondButton(event)) {
     if (event->button() == Qt::RightButton) leaveDrag();
     return;
@@ -79,6 +80,7 @@ void ViewWidget::startDrag(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardMod
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
+  mouseAt_ = event->buttons() == Qt::NoButton ? std::optional(at) : std::nullopt;
   // The release may have gone elsewhere: to a dialog that opened meanwhile.
   if (navigation_->pressed() && event->buttons() == Qt::NoButton) navigation_->release();
   if (toolHasMouse_) {
@@ -102,7 +104,12 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
       toolHasMouse_ && handles_ && !taken && pressedAt_ && (at - *pressedAt_).manhattanLength() < clickReach;
   if (event->buttons() == Qt::NoButton) toolHasMouse_ = false;
   const MouseNavigation::Ended ended = navigation_->release();
-  emit hint(restingHint());
+  const bool over = event->buttons() == Qt::NoButton && rect().contains(at.toPoint());
+  mouseAt_ = over ? std::optional(at) : std::nullopt;
+  if (over && handles_)
+    hoverAt(at, event->modifiers());
+  else
+    emit hint(restingHint());
   if (ended == MouseNavigation::Ended::Box) return finishBox(at, event->modifiers());
   if (leftByHandle && event->button() == Qt::LeftButton) return click(at, event->modifiers());
   if (ended != MouseNavigation::Ended::Click || ofTool) return;
@@ -173,6 +180,7 @@ void ViewWidget::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void ViewWidget::leaveEvent(QEvent*) {
+  mouseAt_.reset();
   if (tool_ && !toolHasMouse_) tool_->mouseGone();
   setHovered({});
   emit hint({});
@@ -240,6 +248,13 @@ void ViewWidget::setTool(Tool* tool, bool handles) {
   toolHasMouse_ = false;
   setHovered({});
   markTool();
+  if (handles_ && mouseAt_) QMetaObject::invokeMethod(this, &ViewWidget::hoverAgain, Qt::QueuedConnection);
+}
+
+// Handles that come under a mouse at rest, as after undo, know where it is without a movement.
+void ViewWidget::hoverAgain() {
+  if (handles_ && mouseAt_ && !toolHasMouse_ && !navigation_->pressed())
+    hoverAt(*mouseAt_, QGuiApplication::queryKeyboardModifiers());
 }
 
 // Several movements of the mouse may come before a frame is there. What the mouse moves counts as moving.

@@ -1,11 +1,18 @@
 #include "manipulators/lingering_picture.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace blossom::sweep {
 
 LingeringPicture::LingeringPicture(const ui::ToolHost& host, ui::StandIn picture) : picture_(std::move(picture)) {
   for (const FeatureId& id : picture_.insteadOf) before_.push_back(host.result(id));
+}
+
+bool LingeringPicture::isHit(const Ray& ray) const {
+  SceneData drawn;
+  drawn.faces = picture_.faces;
+  return PickIndex(drawn).faceDistance(ray) < std::numeric_limits<double>::infinity();
 }
 
 bool LingeringPicture::over(const ui::ToolHost& host) const {

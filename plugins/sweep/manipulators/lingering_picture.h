@@ -17,6 +17,8 @@ class LingeringPicture {
 
   /// The results are there, or the document is another one.
   [[nodiscard]] bool over(const ui::ToolHost&) const;
+  /// Whether the ray meets one of its faces.
+  [[nodiscard]] bool isHit(const Ray&) const;
   [[nodiscard]] const ui::StandIn& picture() const { return picture_; }
 
  private:

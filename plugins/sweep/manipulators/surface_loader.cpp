@@ -14,7 +14,8 @@ bool SurfaceLoader::load(const Shape& motion) {
   wanted_ = motion;
   loading_.cancel();
   loading_ = {};
-  if (!motion.empty()) thread_.start([this, motion, token = loading_] { prepare(motion, token); });
+  busy_ = !motion.empty();
+  if (busy_) thread_.start([this, motion, token = loading_] { prepare(motion, token); });
   return true;
 }
 
@@ -23,11 +24,13 @@ void SurfaceLoader::prepare(const Shape& motion, const CancelToken& token) {
   try {
     made = liveSurface(motion, Progress(token));
   } catch (const std::exception&) {
-    return;  // the features made from the motion tell what is wrong with it
+    // The features made from the motion tell what is wrong with it.
   }
-  // Not `this`: who is told may end the loader.
-  here_.post([arrived = arrived_, token, made = std::move(made)] {
-    if (!token.cancelled()) arrived(made);
+  // A copy of `arrived_`: who is told may end the loader.
+  here_.post([this, arrived = arrived_, token, made = std::move(made)] {
+    if (token.cancelled()) return;
+    busy_ = false;
+    if (made) arrived(made);
   });
 }
 

@@ -22,12 +22,15 @@ class SurfaceLoader {
   bool load(const Shape& motion);
   /// The motion whose surface has arrived, or is being prepared.
   [[nodiscard]] const Shape& wanted() const { return wanted_; }
+  /// Whether a surface is being prepared.
+  [[nodiscard]] bool busy() const { return busy_; }
 
  private:
   void prepare(const Shape& motion, const CancelToken&);
 
   Arrived arrived_;
   Shape wanted_;
+  bool busy_ = false;
   CancelToken loading_;
   ui::Mailbox here_;
   ui::Background thread_;  // ends first

@@ -2,6 +2,7 @@
 #include <vtkProp.h>
 
 #include <QKeyEvent>
+#include <utility>
 
 #include "core/error.h"
 #include "manipulators/surface_pull_tool.h"
@@ -10,6 +11,7 @@ namespace blossom::sweep {
 
 bool SurfacePullTool::key(const QKeyEvent& event) {
   if (entry_) return typingKey(event);
+  if (event.key() == Qt::Key_Escape && std::exchange(early_, std::nullopt)) return true;
   if (HandleTool::key(event)) {
     lookAgain();  // the mouse has gone on since it took the place
     emit changed();
@@ -51,7 +53,7 @@ bool SurfacePullTool::wheel(double notches, Qt::KeyboardModifiers modifiers) {
 /// After an edit the surface takes a moment to be ready for the next one. Who goes on meanwhile does not mean the keys of
 /// the view.
 bool SurfacePullTool::keyWhilePreparing(const QKeyEvent& event) {
-  if (!overSurface_ || loader_.wanted().empty() || !keyOfMode(event)) return false;
+  if (!overSurface_ || !loader_.busy() || !keyOfMode(event)) return false;
   emit changed();
   return true;
 }

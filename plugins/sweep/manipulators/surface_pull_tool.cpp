@@ -3,6 +3,7 @@
 
 #include <vtkProp.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.h"
@@ -37,11 +38,32 @@ void SurfacePullTool::show(std::shared_ptr<const LiveSurface> surface) {
   chosen_ = {};
   stopTyping();
   forgetHovered();
+  if (surface_ && early_) takeEarlyPress();
   if (surface_) lookAgain();
   emit changed();
 }
 
+/// After an edit the surface takes a moment to be computed and prepared for the next one. A press on it meanwhile is not for
+/// the camera: who goes on pulling would find the view turned.
+bool SurfacePullTool::comesEarly(const ui::ToolEvent& event) const {
+  if (surface_ || event.button != Qt::LeftButton || event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) return false;
+  // The point that was pulled is under the mouse, also where it makes an outline that its picture misses by a hair.
+  const bool rests = (event.at - letGoAt_).manhattanLength() < ui::clickReach;
+  if (lingering_) return rests || lingering_->isHit(event.ray);
+  return loader_.busy() && placement_ && std::ranges::count(placement_->users, event.pick.feature) > 0;
+}
+
+/// Pulls from where the button went down to where the mouse is by now.
+void SurfacePullTool::takeEarlyPress() {
+  const ui::ToolEvent pressed = *std::exchange(early_, std::nullopt), now = mouse_.value_or(pressed);
+  if (press(pressed)) move(now);
+}
+
 bool SurfacePullTool::press(const ui::ToolEvent& event) {
+  if (comesEarly(event)) {
+    mouse_ = early_ = event;
+    return true;
+  }
   if (!held()) {
     if (entry_) {
       stopTyping();
@@ -53,7 +75,7 @@ bool SurfacePullTool::press(const ui::ToolEvent& event) {
 }
 
 bool SurfacePullTool::move(const ui::ToolEvent& event) {
-  if (held()) {
+  if (held() || early_) {
     mouse_ = event;
     return HandleTool::move(event);
   }
@@ -75,6 +97,8 @@ void SurfacePullTool::mouseGone() {
 /// A click is for the view, which selects what is there; with Shift it takes the place along.
 bool SurfacePullTool::release(const ui::ToolEvent& event) {
   mouse_ = event;
+  letGoAt_ = event.at;
+  early_.reset();
   const bool dragged = dragged_, typing = entry_.has_value();
   const bool chooses = held() && !dragged && !typing && event.modifiers.testFlag(Qt::ShiftModifier);
   if (!HandleTool::release(event)) return false;

@@ -54,6 +54,8 @@ class SurfacePullTool : public ui::HandleTool {
   void place() override;
   void putBack() override;
 
+  [[nodiscard]] bool comesEarly(const ui::ToolEvent&) const;
+  void takeEarlyPress();
   void look(const ui::ToolEvent&);
   void lookAgain();
   /// What is under the mouse on the surface that a drag there changes; empty while that is not ready.
@@ -107,7 +109,8 @@ class SurfacePullTool : public ui::HandleTool {
   QString refusal_;                 ///< why it cannot be what is typed
   std::optional<LingeringPicture> lingering_;
   std::optional<ui::ToolEvent> mouse_;  ///< what it did last
-  QPointF pressedAt_;
+  std::optional<ui::ToolEvent> early_;  ///< a press on the surface that is being prepared; the button is still down
+  QPointF pressedAt_, letGoAt_;
   double notches_ = 0;  ///< of the wheel, that make no whole one yet
   bool dragged_ = false;
 

@@ -24,6 +24,10 @@ void requireInsertable(const Knots& wanted, int degree, const Knots& own, std::p
                               domain.first, domain.second),
                   "Give a knot inside the motion.");
     const auto there = std::count(own.begin(), own.end(), knot), more = std::count(wanted.begin(), wanted.end(), knot);
+    if (there > degree)
+      throw Error(ErrorCode::InvalidParameter,
+                  fmt::format("{} = {} is an end of the motion, where no knot can be added.", direction, knot),
+                  fmt::format("Give a knot between {} and {}.", domain.first, domain.second));
     if (there + more > degree)
       throw Error(ErrorCode::InvalidParameter,
                   fmt::format("The knot {} = {} would stand {} times; at most {} are possible.", direction, knot,

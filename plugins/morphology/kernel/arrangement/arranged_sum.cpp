@@ -1,7 +1,10 @@
 #include "kernel/arrangement/arranged_sum.h"
 
 #include <map>
+#include <memory>
+#include <span>
 
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "kernel/arrangement/candidates.h"
 #include "kernel/arrangement/cells.h"
@@ -36,22 +39,59 @@ std::vector<Group> groupsByPlane(const std::vector<Facet>& facets, const std::ve
   return groups;
 }
 
+/// A plane divided beside the others, with the planes and points that this has added.
+struct DividedPlane {
+  std::unique_ptr<Planes> planes;
+  std::unique_ptr<Points> points;
+  PlaneMap::Divided map;
+};
+
+DividedPlane dividedPlane(int plane, const Group& group, const Planes& planes, const Points& points) {
+  DividedPlane made;
+  made.planes = std::make_unique<Planes>(&planes);
+  made.points = std::make_unique<Points>(*made.planes, &points);
+  PlaneMap map(plane, group.facets, *made.planes, *made.points);
+  for (std::size_t k = 0; k < group.meetings.size(); ++k)
+    map.cut(group.meetings[k]->from, group.meetings[k]->to, group.others[k]);
+  made.map = map.divided();
+  return made;
+}
+
 /// Tiles of all planes. Patch 0 stands for what has the sum on both sides.
 class Tiling {
  public:
   Tiling(Planes& planes, Points& points) : planes_(planes), points_(points) {}
 
-  void add(int plane, const Group& group) {
-    if (group.facets.size() == 1 && group.meetings.empty())
-      addWhole(*group.facets.front());
-    else if (!group.facets.empty())
-      addDivided(plane, group);
+  /// Some planes at a time, which are divided beside each other: what is made of them does not depend on threads.
+  void add(const std::vector<Group>& groups, const Progress& progress) {
+    constexpr std::size_t atATime = 4096;
+    for (std::size_t first = 0; first < groups.size(); first += atATime)
+      add(std::span(groups).subspan(first, std::min(atATime, groups.size() - first)), static_cast<int>(first), progress);
   }
 
   [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
   [[nodiscard]] std::size_t patches() const { return static_cast<std::size_t>(patches_); }
 
  private:
+  void add(std::span<const Group> groups, int firstPlane, const Progress& progress) {
+    std::vector<DividedPlane> divided(groups.size());
+    parallelFor(groups.size(), 8, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        progress.check();
+        if (!isWhole(groups[k]) && !groups[k].facets.empty())
+          divided[k] = dividedPlane(firstPlane + static_cast<int>(k), groups[k], planes_, points_);
+      }
+    });
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      progress.check();
+      if (isWhole(groups[k])) addWhole(*groups[k].facets.front());
+      if (divided[k].points) addDivided(firstPlane + static_cast<int>(k), divided[k]);
+      divided[k] = {};
+    }
+  }
+
+  static bool isWhole(const Group& group) { return group.facets.size() == 1 && group.meetings.empty(); }
+
   void addWhole(const Facet& facet) {
     Tile tile{facet.plane, facet.sameWay, patches_++, {}, std::vector<bool>(facet.count, true)};
     tile.corners.assign(facet.corners.begin(), facet.corners.begin() + static_cast<std::ptrdiff_t>(facet.count));
@@ -59,22 +99,20 @@ class Tiling {
     tiles_.push_back(std::move(tile));
   }
 
-  void addDivided(int plane, const Group& group) {
-    PlaneMap map(plane, group.facets, planes_, points_);
-    for (std::size_t k = 0; k < group.meetings.size(); ++k)
-      map.cut(group.meetings[k]->from, group.meetings[k]->to, group.others[k]);
-    const PlaneMap::Divided divided = map.divided();
-    std::vector<int> patchOf(divided.covers.size(), 0);
+  void addDivided(int plane, DividedPlane& divided) {
+    std::vector<int> patchOf(divided.map.covers.size(), 0);
     for (std::size_t p = 0; p < patchOf.size(); ++p) {
-      const Cover& cover = divided.covers[p];
+      const Cover& cover = divided.map.covers[p];
       if ((cover.sameWay > 0) != (cover.otherWay > 0)) patchOf[p] = patches_++;
     }
-    for (const PlaneMap::Piece& piece : divided.pieces) {
+    const auto planeHere = [&](int number) { return planes_.take(*divided.planes, number); };
+    points_.takeNotes(*divided.points, divided.planes->sizeOfBase());
+    for (const PlaneMap::Piece& piece : divided.map.pieces) {
       const auto patch = static_cast<std::size_t>(piece.patch);
-      const Cover& cover = divided.covers[patch];
+      const Cover& cover = divided.map.covers[patch];
       if (cover.sameWay == 0 && cover.otherWay == 0) continue;
       Tile tile{plane, cover.sameWay > 0, patchOf[patch], {}, {}};
-      tile.corners.assign(piece.corners.begin(), piece.corners.end());
+      for (const int corner : piece.corners) tile.corners.push_back(points_.take(*divided.points, corner, planeHere));
       tile.isCut.assign(piece.isCut.begin(), piece.isCut.end());
       tiles_.push_back(std::move(tile));
     }
@@ -189,10 +227,7 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
   const std::vector<Meeting> found = meetings(facets, planes, points, progress);
   const std::vector<Group> groups = groupsByPlane(facets, found, planes);
   Tiling tiling(planes, points);
-  for (std::size_t p = 0; p < groups.size(); ++p) {
-    progress.check();
-    tiling.add(static_cast<int>(p), groups[p]);
-  }
+  tiling.add(groups, progress);
   made.arrangementMs = watch.lapMs();
   progress.report(0.7, "Finding the outside");
   const SumSpace space{Membership(a.whole, b.whole, insideOut, progress), !insideOut};

@@ -1,8 +1,12 @@
 #include "kernel/arrangement/meetings.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
+#include "core/parallel.h"
 #include "geometry/numeric/box_tree.h"
 
 namespace blossom::morphology::arrangement {
@@ -98,25 +102,68 @@ class PairOfFacets {
   Points& points_;
 };
 
+using FacetPair = std::pair<std::size_t, std::size_t>;
+
+/// Those whose boxes meet.
+std::vector<FacetPair> nearFacets(const std::vector<Facet>& facets, const Points& points, const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(facets.size());
+  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
+  std::vector<FacetPair> pairs;
+  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
+    pairs.emplace_back(i, j);
+    return true;
+  });
+  return pairs;
+}
+
+/// A part of the work that is done beside others, always of the same size: what it finds does not depend on threads.
+struct Part {
+  std::unique_ptr<Points> points;
+  std::vector<Meeting> found;
+};
+constexpr std::size_t pairsOfPart = 1024;
+
+Part meetingsOf(std::span<const FacetPair> pairs, const std::vector<Facet>& facets, const Planes& planes,
+                const Points& points, const Progress& progress) {
+  Part part{std::make_unique<Points>(planes, &points), {}};
+  PairOfFacets pair(planes, *part.points);
+  std::size_t count = 0;
+  for (const auto& [i, j] : pairs) {
+    if (++count % 128 == 0) progress.check();
+    const auto common = pair.common(facets[i], facets[j]);
+    if (!common) continue;
+    for (const int end : *common) {
+      part.points->note(end, facets[i].plane);
+      part.points->note(end, facets[j].plane);
+    }
+    part.found.push_back({(*common)[0], (*common)[1], static_cast<int>(i), static_cast<int>(j)});
+  }
+  return part;
+}
+
 }  // namespace
 
 std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& planes, Points& points,
                               const Progress& progress) {
-  std::vector<Box3> boxes;
-  boxes.reserve(facets.size());
-  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
-  std::vector<Meeting> found;
-  PairOfFacets pair(planes, points);
-  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
-    if (const auto common = pair.common(facets[i], facets[j])) {
-      for (const int end : *common) {
-        points.note(end, facets[i].plane);
-        points.note(end, facets[j].plane);
-      }
-      found.push_back({(*common)[0], (*common)[1], static_cast<int>(i), static_cast<int>(j)});
+  const std::vector<FacetPair> pairs = nearFacets(facets, points, progress);
+  std::vector<Part> parts((pairs.size() + pairsOfPart - 1) / pairsOfPart);
+  parallelFor(parts.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::size_t from = k * pairsOfPart, count = std::min(pairsOfPart, pairs.size() - from);
+      parts[k] = meetingsOf({pairs.data() + from, count}, facets, planes, points, progress);
     }
-    return true;
   });
+  std::vector<Meeting> found;
+  const auto samePlane = [](int plane) { return plane; };
+  for (Part& part : parts) {
+    points.takeNotes(*part.points, static_cast<int>(planes.size()));
+    for (Meeting meeting : part.found) {
+      meeting.from = points.take(*part.points, meeting.from, samePlane);
+      meeting.to = points.take(*part.points, meeting.to, samePlane);
+      found.push_back(meeting);
+    }
+  }
   return found;
 }
 

@@ -66,23 +66,39 @@ Planes::Added Planes::add(const Normal3& normal, const Grid3& point) {
   for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = (sameWay ? normal[k] : -normal[k]) / divisor;
   plane.point = point;
   plane.about = aboutNormal(plane.normal);
-  const Key key{plane.normal, wrappedDot(plane.normal, point)};
+  return {insert(plane), sameWay};
+}
+
+Planes::Key Planes::keyOf(const Plane& plane) { return {plane.normal, wrappedDot(plane.normal, plane.point)}; }
+
+/// The number of the same plane; -1 when there is none.
+int Planes::find(const Key& key, const Plane& plane) const {
+  if (base_)
+    if (const int known = base_->find(key, plane); known >= 0) return known;
   const auto [from, to] = index_.equal_range(key);
   for (auto it = from; it != to; ++it) {
     // Offsets that are equal modulo 2^128 need not be equal.
-    const Grid3 away = point - planes_[static_cast<std::size_t>(it->second)].point;
+    const Grid3 away = plane.point - (*this)[it->second].point;
     const Bounded apart = dot(plane.about, exactly(away));
-    if (!apart.decided() && dot(plane.normal, away) == 0) return {it->second, sameWay};
+    if (!apart.decided() && dot(plane.normal, away) == 0) return it->second;
   }
+  return -1;
+}
+
+int Planes::insert(Plane plane) {
+  const Key key = keyOf(plane);
+  if (const int known = find(key, plane); known >= 0) return known;
   plane.axis = largest(plane.about);
   plane.u = (plane.axis + 1) % 3;
   plane.v = (plane.axis + 2) % 3;
   if (plane.normal[plane.axis] < 0) std::swap(plane.u, plane.v);
-  const int made = static_cast<int>(planes_.size());
+  const int made = static_cast<int>(size());
   planes_.push_back(plane);
   index_.emplace(key, made);
-  return {made, sameWay};
+  return made;
 }
+
+int Planes::take(const Planes& part, int plane) { return plane < part.first_ ? plane : insert(part[plane]); }
 
 int Planes::upright(const Grid3& from, const Grid3& to, std::size_t axis) {
   Grid3 along{};

@@ -18,6 +18,15 @@ struct Plane {
 /// All planes of an arrangement, each once.
 class Planes {
  public:
+  Planes() = default;
+  /// Those of `base`, and what one part of the work adds to them: with numbers of its own, so that parts can work beside
+  /// each other. @pre the base outlives it and stays as it is meanwhile
+  explicit Planes(const Planes* base) : base_(base), first_(static_cast<int>(base->size())) {}
+  Planes(const Planes&) = delete;
+  Planes& operator=(const Planes&) = delete;
+  Planes(Planes&&) = default;
+  Planes& operator=(Planes&&) = default;
+
   struct Added {
     int plane = 0;
     bool sameWay = true;  ///< the normal of the plane has the direction of the one that was given
@@ -27,8 +36,14 @@ class Planes {
   /// The plane through an edge along an axis. @pre the edge is not parallel to the axis
   int upright(const Grid3& from, const Grid3& to, std::size_t axis);
 
-  [[nodiscard]] const Plane& operator[](int plane) const { return planes_[static_cast<std::size_t>(plane)]; }
-  [[nodiscard]] std::size_t size() const { return planes_.size(); }
+  /// The number here of a plane of a part that was based on these.
+  int take(const Planes& part, int plane);
+
+  [[nodiscard]] const Plane& operator[](int plane) const {
+    return plane < first_ ? (*base_)[plane] : planes_[static_cast<std::size_t>(plane - first_)];
+  }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(first_) + planes_.size(); }
+  [[nodiscard]] int sizeOfBase() const { return first_; }
 
   /// On which side of a plane a point lies: 1 where the normal points to, -1, or 0 on it.
   [[nodiscard]] int side(int plane, const Grid3&) const;
@@ -52,6 +67,12 @@ class Planes {
     std::size_t operator()(const Key&) const;
   };
 
+  [[nodiscard]] static Key keyOf(const Plane&);
+  [[nodiscard]] int find(const Key&, const Plane&) const;
+  int insert(Plane);
+
+  const Planes* base_ = nullptr;
+  int first_ = 0;  ///< number of the first plane that is not of the base
   std::vector<Plane> planes_;
   std::unordered_multimap<Key, int, Hash> index_;
 };

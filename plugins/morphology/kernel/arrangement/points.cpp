@@ -90,28 +90,55 @@ Points::Exact Points::computed(const Entry& entry) const {
   return exact;
 }
 
-const Points::Exact& Points::exact(Entry& entry) const {
-  if (!entry.exact) entry.exact = std::make_unique<Exact>(computed(entry));
-  return *entry.exact;
+const Points::Exact& Points::exact(std::unique_ptr<Exact>& kept, const Entry& entry) const {
+  if (!kept) kept = std::make_unique<Exact>(computed(entry));
+  return *kept;
 }
 
-bool Points::same(Entry& a, Entry& b) const {
+const Points::Exact& Points::exact(int point) {
+  if (!isOfBase(point)) return exact(own(point).exact, own(point));
+  const Entry& known = entry(point);
+  return known.exact ? *known.exact : exact(additions_[point].exact, known);
+}
+
+bool Points::same(Entry& a, int other) {
+  const Entry& b = entry(other);
   for (std::size_t k = 0; k < 3; ++k)
     if (std::abs(a.about[k].value - b.about[k].value) > a.about[k].error + b.about[k].error + largestError / 100)
       return false;
   if (a.kind == Kind::Grid && b.kind == Kind::Grid) return a.grid == b.grid;
-  const Exact &p = exact(a), &q = exact(b);
+  const Exact &p = exact(a.exact, a), &q = exact(other);
   for (std::size_t k = 0; k < 3; ++k)
     if (p.x[k] * q.w != q.x[k] * p.w) return false;
   return true;
 }
 
-int Points::insert(Entry made) {
+void Points::place(Entry& made) const {
   made.about = aboutOf(made);
-  if (isRough(made.about)) {
-    const Exact& known = exact(made);
-    for (std::size_t k = 0; k < 3; ++k) made.about[k] = quotient(known.x[k], known.w);
+  if (!isRough(made.about)) return;
+  const Exact& known = exact(made.exact, made);
+  for (std::size_t k = 0; k < 3; ++k) made.about[k] = quotient(known.x[k], known.w);
+}
+
+/// The number of an equal point; -1 when there is none. @param cells the two along each axis where it can lie
+int Points::findAmong(const Points& points, const std::array<std::array<std::int64_t, 2>, 3>& cells, Entry& made) {
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Cell cell{};
+    bool fresh = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t which = corner >> k & 1U;
+      cell[k] = cells[k][which];
+      if (which == 1 && cells[k][0] == cells[k][1]) fresh = false;
+    }
+    if (!fresh) continue;
+    const auto [from, to] = points.byPlace_.equal_range(cell);
+    for (auto it = from; it != to; ++it)
+      if (same(made, it->second)) return it->second;
   }
+  return -1;
+}
+
+int Points::insert(Entry made) {
   // Equal points lie at most twice the largest error apart, in the same cell or a neighbouring one.
   std::array<std::array<std::int64_t, 2>, 3> near{};
   Cell home{};
@@ -120,39 +147,39 @@ int Points::insert(Entry made) {
     home[k] = cellOf(value);
     near[k] = {cellOf(value - 2 * largestError), cellOf(value + 2 * largestError)};
   }
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    Cell cell{};
-    bool fresh = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t which = corner >> k & 1U;
-      cell[k] = near[k][which];
-      if (which == 1 && near[k][0] == near[k][1]) fresh = false;
-    }
-    if (!fresh) continue;
-    const auto [from, to] = byPlace_.equal_range(cell);
-    for (auto it = from; it != to; ++it) {
-      Entry& other = entries_[static_cast<std::size_t>(it->second)];
-      if (!same(made, other)) continue;
-      for (const int plane : made.planes) note(it->second, plane);
-      return it->second;
-    }
+  int known = base_ ? findAmong(*base_, near, made) : -1;
+  if (known < 0) known = findAmong(*this, near, made);
+  if (known >= 0) {
+    for (const int plane : made.planes) note(known, plane);
+    return known;
   }
-  const int number = static_cast<int>(entries_.size());
+  const int number = static_cast<int>(size());
   byPlace_.emplace(home, number);
   entries_.push_back(std::move(made));
   return number;
 }
 
-int Points::found(const std::array<int, 4>& key, Entry made) {
-  if (const auto it = byOrigin_.find(key); it != byOrigin_.end()) return it->second;
+std::array<int, 4> Points::originOf(const Entry& entry) {
+  return {entry.from[0], entry.from[1], entry.from[2], entry.kind == Kind::Edge ? -1 : -2};
+}
+
+std::optional<int> Points::find(const std::array<int, 4>& origin) const {
+  if (base_)
+    if (const auto known = base_->find(origin)) return known;
+  const auto it = byOrigin_.find(origin);
+  return it == byOrigin_.end() ? std::nullopt : std::optional(it->second);
+}
+
+int Points::found(const std::array<int, 4>& origin, Entry made) {
   const int number = insert(std::move(made));
-  byOrigin_.emplace(key, number);
+  byOrigin_.emplace(origin, number);
   return number;
 }
 
 int Points::at(const Grid3& p) {
   Entry made;
   made.grid = p;
+  place(made);
   return insert(std::move(made));
 }
 
@@ -161,32 +188,71 @@ int Points::onEdge(int from, int to, int plane) {
   Entry made;
   made.kind = Kind::Edge;
   made.from = {from, to, plane};
+  if (const auto known = find(originOf(made))) return *known;
   made.planes = {plane};
-  return found({from, to, plane, -1}, std::move(made));
+  place(made);
+  return found(originOf(made), std::move(made));
 }
 
 int Points::onThree(int first, int second, int third) {
-  std::array<int, 3> planes{first, second, third};
-  std::sort(planes.begin(), planes.end());
   Entry made;
   made.kind = Kind::Planes;
-  made.from = planes;
-  made.planes.assign(planes.begin(), planes.end());
-  return found({planes[0], planes[1], planes[2], -2}, std::move(made));
+  made.from = {first, second, third};
+  std::sort(made.from.begin(), made.from.end());
+  if (const auto known = find(originOf(made))) return *known;
+  made.planes.assign(made.from.begin(), made.from.end());
+  place(made);
+  return found(originOf(made), std::move(made));
+}
+
+int Points::take(Points& part, int point, const std::function<int(int)>& numberOf) {
+  if (part.isOfBase(point)) return point;
+  part.taken_.resize(part.entries_.size(), -1);
+  int& number = part.taken_[static_cast<std::size_t>(point - part.first_)];
+  if (number >= 0) return number;
+  Entry made = std::move(part.own(point));
+  for (int& plane : made.planes) plane = numberOf(plane);
+  if (made.kind == Kind::Grid) return number = insert(std::move(made));
+  if (made.kind == Kind::Edge)  // between points of the base
+    made.from[2] = numberOf(made.from[2]);
+  else
+    for (int& plane : made.from) plane = numberOf(plane);
+  if (made.kind == Kind::Planes) std::sort(made.from.begin(), made.from.end());
+  const auto origin = originOf(made);
+  const auto known = find(origin);
+  if (!known) return number = found(origin, std::move(made));
+  for (const int plane : made.planes) note(*known, plane);
+  return number = *known;
+}
+
+void Points::takeNotes(const Points& part, int planes) {
+  for (const auto& [point, addition] : part.additions_)
+    for (const int plane : addition.planes)
+      if (plane < planes) note(point, plane);
 }
 
 void Points::note(int point, int plane) {
-  std::vector<int>& planes = entries_[static_cast<std::size_t>(point)].planes;
-  if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
+  if (isKnownOn(point, plane)) return;
+  (isOfBase(point) ? additions_[point].planes : own(point).planes).push_back(plane);
+}
+
+bool Points::isKnownOn(int point, int plane) const {
+  if (entry(point).isOn(plane)) return true;
+  if (!isOfBase(point)) return false;
+  const auto it = additions_.find(point);
+  if (it == additions_.end()) return false;
+  const auto& planes = it->second.planes;
+  return std::find(planes.begin(), planes.end(), plane) != planes.end();
 }
 
 int Points::side(int plane, int point) {
   const Entry& here = entry(point);
-  if (std::find(here.planes.begin(), here.planes.end(), plane) != here.planes.end()) return 0;
+  if (here.isOn(plane)) return 0;
   const Plane& there = planes_[plane];
   const Bounded3 from = exactly(there.point);
   const Bounded about = dot(there.about, {here.about[0] - from[0], here.about[1] - from[1], here.about[2] - from[2]});
   if (about.decided()) return signOf(about.value);
+  if (isKnownOn(point, plane)) return 0;
   int sign = 0;
   if (here.kind == Kind::Grid) {
     sign = planes_.side(plane, here.grid);
@@ -208,27 +274,37 @@ int Points::order(std::size_t axis, int a, int b) {
   return signOf(Whole(q.x[axis] * p.w - p.x[axis] * q.w));
 }
 
-int Points::turn(int plane, int a, int b, int c) {
-  // On a second plane all three lie on a line. (Each of its own planes is another one, or the drawing's.)
-  for (const int other : entry(a).planes) {
-    if (other == plane) continue;
-    const auto isOn = [&](int point) {
-      const auto& planes = entry(point).planes;
-      return std::find(planes.begin(), planes.end(), other) != planes.end();
-    };
-    if (isOn(b) && isOn(c)) return 0;
-  }
-  return turn(planes_[plane].u, planes_[plane].v, a, b, c);
+/// On a second plane all three lie on a line. (Each of its own planes is another one, or the drawing's.)
+bool Points::shareAnotherPlane(int plane, int a, int b, int c) const {
+  const auto shared = [&](int other) { return other != plane && isKnownOn(b, other) && isKnownOn(c, other); };
+  const Entry& here = entry(a);
+  if (std::any_of(here.planes.begin(), here.planes.end(), shared)) return true;
+  const auto it = isOfBase(a) ? additions_.find(a) : additions_.end();
+  return it != additions_.end() && std::any_of(it->second.planes.begin(), it->second.planes.end(), shared);
 }
 
-int Points::turn(std::size_t u, std::size_t v, int a, int b, int c) {
+std::optional<int> Points::turnInDoubles(std::size_t u, std::size_t v, int a, int b, int c) const {
   if (a == b || b == c || c == a) return 0;
   const Bounded3 &p = entry(a).about, &q = entry(b).about, &r = entry(c).about;
   const Bounded about = (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
-  if (about.decided()) return signOf(about.value);
+  return about.decided() ? std::optional(signOf(about.value)) : std::nullopt;
+}
+
+int Points::exactTurn(std::size_t u, std::size_t v, int a, int b, int c) {
   const Exact &x = exact(a), &y = exact(b), &z = exact(c);
   const auto minor = [&](const Exact& e, const Exact& f) { return Whole(e.x[u] * f.x[v] - e.x[v] * f.x[u]); };
   return signOf(Whole(x.w * minor(y, z) + y.w * minor(z, x) + z.w * minor(x, y)));
+}
+
+int Points::turn(int plane, int a, int b, int c) {
+  const std::size_t u = planes_[plane].u, v = planes_[plane].v;
+  if (const auto sign = turnInDoubles(u, v, a, b, c)) return *sign;
+  return shareAnotherPlane(plane, a, b, c) ? 0 : exactTurn(u, v, a, b, c);
+}
+
+int Points::turn(std::size_t u, std::size_t v, int a, int b, int c) {
+  const auto sign = turnInDoubles(u, v, a, b, c);
+  return sign ? *sign : exactTurn(u, v, a, b, c);
 }
 
 std::array<double, 3> Points::nearest(int point) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -14,6 +16,9 @@ namespace blossom::morphology::arrangement {
 class Points {
  public:
   explicit Points(const Planes& planes) : planes_(planes) {}
+  /// Those of `base`, and what one part of the work adds to them; see Planes. What is noted and computed of points of the
+  /// base stays in the part.
+  Points(const Planes& planes, const Points* base) : planes_(planes), base_(base), first_(static_cast<int>(base->size())) {}
 
   int at(const Grid3&);
   /// Where the edge between two points of the grid meets a plane. @pre they lie on different sides of it
@@ -24,7 +29,12 @@ class Points {
   [[nodiscard]] const Bounded3& about(int point) const { return entry(point).about; }
   [[nodiscard]] bool isOfGrid(int point) const { return entry(point).kind == Kind::Grid; }
   [[nodiscard]] const Grid3& grid(int point) const { return entry(point).grid; }
-  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(first_) + entries_.size(); }
+
+  /// The number here of a point of a part that was based on these. @param numberOf that of each plane of the part
+  int take(Points& part, int point, const std::function<int(int)>& numberOf);
+  /// What a part has noted of points and planes that both have.
+  void takeNotes(const Points& part, int planes);
 
   /// Remembers that a point lies on a plane, which saves the exact test.
   void note(int point, int plane);
@@ -54,6 +64,13 @@ class Points {
     Bounded3 about;
     std::vector<int> planes;  ///< some of those that it lies on
     std::unique_ptr<Exact> exact;
+
+    [[nodiscard]] bool isOn(int plane) const { return std::find(planes.begin(), planes.end(), plane) != planes.end(); }
+  };
+  /// What is known of a point of the base in addition.
+  struct Addition {
+    std::vector<int> planes;
+    std::unique_ptr<Exact> exact;
   };
   using Cell = std::array<std::int64_t, 3>;
   struct Hash {
@@ -61,16 +78,32 @@ class Points {
     std::size_t operator()(const std::array<int, 4>&) const;
   };
 
-  [[nodiscard]] const Entry& entry(int point) const { return entries_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] bool isOfBase(int point) const { return point < first_; }
+  [[nodiscard]] const Entry& entry(int point) const {
+    return isOfBase(point) ? base_->entry(point) : entries_[static_cast<std::size_t>(point - first_)];
+  }
+  [[nodiscard]] Entry& own(int point) { return entries_[static_cast<std::size_t>(point - first_)]; }
+  [[nodiscard]] bool isKnownOn(int point, int plane) const;
+  [[nodiscard]] std::optional<int> turnInDoubles(std::size_t u, std::size_t v, int a, int b, int c) const;
+  [[nodiscard]] int exactTurn(std::size_t u, std::size_t v, int a, int b, int c);
+  [[nodiscard]] bool shareAnotherPlane(int plane, int a, int b, int c) const;
   [[nodiscard]] Bounded3 aboutOf(const Entry&) const;
   [[nodiscard]] Exact computed(const Entry&) const;
-  const Exact& exact(Entry&) const;
-  const Exact& exact(int point) { return exact(entries_[static_cast<std::size_t>(point)]); }
-  [[nodiscard]] bool same(Entry&, Entry&) const;
+  const Exact& exact(std::unique_ptr<Exact>& kept, const Entry&) const;
+  const Exact& exact(int point);
+  [[nodiscard]] bool same(Entry&, int other);
+  void place(Entry&) const;
+  [[nodiscard]] std::optional<int> find(const std::array<int, 4>& origin) const;
+  [[nodiscard]] int findAmong(const Points&, const std::array<std::array<std::int64_t, 2>, 3>& cells, Entry&);
   int insert(Entry);
-  int found(const std::array<int, 4>& key, Entry);
+  int found(const std::array<int, 4>& origin, Entry);
+  static std::array<int, 4> originOf(const Entry&);
 
   const Planes& planes_;
+  const Points* base_ = nullptr;
+  int first_ = 0;  ///< number of the first point that is not of the base
+  std::unordered_map<int, Addition> additions_;
+  std::vector<int> taken_;  ///< numbers of its own points in what has taken them
   std::vector<Entry> entries_;
   std::unordered_map<std::array<int, 4>, int, Hash> byOrigin_;
   std::unordered_multimap<Cell, int, Hash> byPlace_;

@@ -156,6 +156,25 @@ class MorphologyTouchingTest : public QObject {
     QVERIFY(!firstCrossing(end(overlapping)) && !firstCrossing(end(onAFace)));
   }
 
+  /// A needle as thin as a step of the grid, which rounding has turned inside out on the lid of a cube.
+  void turnedSliversAreNothing() {
+    const double step = std::ldexp(1, -41);
+    const Mesh cube = cuboid({0, 0, 0}, {4, 4, 4}), other = ballOf(0.5, 1);
+    const Mesh needle = tetrahedron({2, 2, 4 + step}, {1, 2, 4}, {3, 2, 4}, {2, 2 + step, 4});
+    const double alone = volumeOf(solidSumOf(cube, other));
+    for (const Mesh& each : {needle, insideOut(needle)})
+      COMPARE_NEAR(volumeOf(solidSumOf(together(cube, each), other)), alone, 1e-9);
+  }
+
+  void aVoidThatLeavesItsSolidIsRefused() {
+    const Mesh cube = cuboid({0, 0, 0}, {4, 4, 4}), void_ = insideOut(cuboid({1, 1, 3}, {2, 2, 5}));
+    const Operand solid = bodyOf(together(cube, void_));
+    for (const std::string& refusal : {refusalOf([&] { solidSum(solid, bodyOf(ballOf(1, 0))); }), refusalOf([&] {
+                                         solidMorph({solid, bodyOf(cube)}, {{1, 0}});
+                                       })})
+      QVERIFY2(refusal.find("looks inwards") != std::string::npos, refusal.c_str());
+  }
+
   // What still cannot be used is told by its name and where it is, far from the origin as well.
   void complaintsNameTheOperandAndThePlace() {
     const Mesh far = movedBy(together(unitCell(), movedBy(unitCell(), {1, 1, 0.5})), {100, 200, 300});

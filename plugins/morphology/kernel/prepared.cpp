@@ -109,9 +109,9 @@ struct CheckedOnGrid {
   double step;
 };
 
-std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, const Subject& subject, const Progress& progress) {
+std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, double step, const Subject& subject, const Progress& progress) {
   try {
-    return checkedSolid(mesh, subject, progress);
+    return checkedSolid(mesh, step, subject, progress);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput) throw;
     return std::nullopt;
@@ -125,13 +125,14 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
                             const Progress& progress) {
   const double usual = grid.usualStep();
   try {
-    return {checkedSolid(snapped(mesh, usual), subject, progress), usual};
+    return {checkedSolid(snapped(mesh, usual), usual, subject, progress), usual};
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
-    if (auto checked = checkedIfSound(snapped(mesh, grid.step), subject, progress)) return {*std::move(checked), grid.step};
+    if (auto checked = checkedIfSound(snapped(mesh, grid.step), grid.step, subject, progress))
+      return {*std::move(checked), grid.step};
     const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, usual, progress);
     if (!coarser) throw;
-    return {checkedSolid(coarser->triangles, subject, progress), coarser->step};
+    return {checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step};
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/arrangement/numbers.h"
 #include "kernel/manifold.h"
 #include "kernel/self_crossing.h"
 
@@ -111,12 +112,59 @@ Error enclosesNothing(const Subject& subject) {
                "Choose a solid or a closed mesh.");
 }
 
+/// One shell, seen from a corner of its own: what is small and far away keeps the digits of its volume.
+Mesh shellOf(const Mesh& triangles, const MeshTopology& topology, int component) {
+  Mesh shell;
+  std::unordered_map<int, int> numbers;
+  for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
+    if (topology.componentOfFace[f] != component) continue;
+    std::vector<int> face;
+    for (const int v : triangles.face(f)) {
+      const auto [it, fresh] = numbers.try_emplace(v, static_cast<int>(shell.points.size()));
+      if (fresh) shell.points.push_back(triangles.points[static_cast<std::size_t>(v)]);
+      face.push_back(it->second);
+    }
+    shell.addFace(face);
+  }
+  const Vec3 corner = shell.points.empty() ? Vec3(Vec3::Zero()) : shell.points.front();
+  for (Vec3& p : shell.points) p -= corner;
+  return shell;
+}
+
 double volumeOf(const Mesh& triangles, const MeshTopology& topology, int component) {
-  Mesh part;
-  part.points = triangles.points;
+  return signedVolume(shellOf(triangles, topology, component));
+}
+
+/// Whether the two sides of a shell on a grid are nearer to each other than a step, on average over its area. In whole
+/// numbers: doubles would not know what is left of the volume.
+bool isThinnerThan(double step, const Mesh& shell) {
+  using namespace arrangement;
+  std::vector<Grid3> points;
+  for (const Vec3& p : shell.points)
+    points.push_back({std::llround(p[0] / step), std::llround(p[1] / step), std::llround(p[2] / step)});
+  Whole sixVolumes = 0;
+  double twoAreas = 0;
+  for (std::size_t f = 0; f < shell.faceCount(); ++f) {
+    const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(shell.face(f)[k])]; };
+    const Normal3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+    sixVolumes += dot(normal, corner(0));
+    twoAreas += Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
+  }
+  return 2 * std::abs(sixVolumes.convert_to<double>()) / 6 < twoAreas / 2;
+}
+
+/// Without shells that rounding may have turned inside out.
+Mesh withoutSlivers(const Mesh& triangles, double step) {
+  const MeshTopology topology = meshTopology(triangles);
+  if (!(step > 0) || topology.components.size() < 2) return triangles;
+  std::vector<bool> isThin(topology.components.size());
+  for (std::size_t c = 0; c < isThin.size(); ++c)
+    isThin[c] = isThinnerThan(step, shellOf(triangles, topology, static_cast<int>(c)));
+  Mesh result;
+  result.points = triangles.points;
   for (std::size_t f = 0; f < triangles.faceCount(); ++f)
-    if (topology.componentOfFace[f] == component) part.addFace(triangles.face(f));
-  return signedVolume(part);
+    if (!isThin[static_cast<std::size_t>(topology.componentOfFace[f])]) result.addFace(triangles.face(f));
+  return manifoldOf(result);
 }
 
 Mesh reversed(const Mesh& mesh) {
@@ -163,7 +211,7 @@ void refuseUnusable(const Mesh& mesh, const Subject& subject) {
   }
 }
 
-CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progress& progress) {
+CheckedSolid checkedSolid(const Mesh& mesh, double step, const Subject& subject, const Progress& progress) {
   refuseUnusable(mesh, subject);
   progress.report(0, "Checking the input");
   const Mesh shared = withSharedPoints(mesh, progress);
@@ -174,7 +222,7 @@ CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progre
   if (outer.faceCount() == 0) throw enclosesNothing(subject);
   refuseOpen(outer, meshTopology(outer, progress), subject);
   CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};
-  solid.triangles = manifoldOfTriangles(solid.triangles, progress);
+  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step);
   const double size = bounds(solid.triangles).diagonal();
   if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size) throw enclosesNothing(subject);
   turnOutwards(solid, subject);

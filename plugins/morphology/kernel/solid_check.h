@@ -15,9 +15,11 @@ struct CheckedSolid {
 
 /// A mesh as the boundary of a solid. Defects with an unambiguous repair are repaired (all faces oriented inward, triangles
 /// of zero area, overlapping bodies); others are refused with their place.
+/// @param step of the grid on which the mesh lies: a body that is thinner on average is left out, as rounding may have
+/// turned it inside out; 0: none
 /// @throws Error InvalidInput for an empty, open, non-manifold, twisted or self-intersecting mesh and for coordinates that
 /// are not finite; LimitExceeded for coordinates beyond 1e9 mm.
-CheckedSolid checkedSolid(const Mesh&, const Subject& subject, const Progress& = Progress::none());
+CheckedSolid checkedSolid(const Mesh&, double step, const Subject& subject, const Progress& = Progress::none());
 
 /// The checks that need no exact arithmetic: finite numbers, indices, size. @throws Error.
 void refuseUnusable(const Mesh&, const Subject& subject);

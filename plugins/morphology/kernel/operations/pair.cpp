@@ -42,6 +42,7 @@ Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, 
               double from, double to, const arrangement::FeaturePairs* kept) {
   if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
   Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to, kept);
+  if (sum.faceCount() == 0 && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b);
   if (sum.faceCount() == 0)
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");

@@ -50,7 +50,9 @@ Prepared Work::united(Prepared operand, const CommonGrid& grid, double from, dou
 Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double from, double to) {
   static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
   static const Mesh none;
-  return taken(arrangedSum(termOf(operand), {none, origin}, grid.step, progress_.part(from, to)), operand);
+  Mesh made = taken(arrangedSum(termOf(operand), {none, origin}, grid.step, progress_.part(from, to)), operand);
+  if (made.faceCount() == 0) refuseTurnedShell(operand);
+  return made;
 }
 
 Mesh Work::sum(const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid, double from,
@@ -105,6 +107,13 @@ void requireSolid(const Operand& operand) {
   if (operand.form != Operand::Form::Body)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is not a solid: it has no volume.", operand.name),
                 "Extrude it first, or choose a solid or a closed mesh.");
+}
+
+void refuseTurnedShell(const Prepared& operand) {
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{} has shells that cross, of which at least one looks inwards, as the wall of a void does.",
+                          operand.name),
+              "Orient the faces of all bodies outwards, and keep voids inside of them.");
 }
 
 void nothingLeft(const Operand& operand, const std::string& remedy) {

@@ -58,6 +58,10 @@ class Work {
 /// @throws Error InvalidInput for an operand that has no volume.
 void requireSolid(const Operand&);
 
+/// A shell that looks inwards and crosses another one encloses everything: nothing outside is left.
+/// @throws Error InvalidInput that names the operand.
+[[noreturn]] void refuseTurnedShell(const Prepared&);
+
 /// @throws Error Degenerate that names the solid of which an erosion has left nothing.
 [[noreturn]] void nothingLeft(const Operand&, const std::string& remedy);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <set>
 
+#include "core/parallel.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "morphology/kernel/arrangement/arranged_sum.h"
 #include "support/morphology.h"
@@ -167,6 +168,20 @@ class MorphologyArrangementTest : public QObject {
         continue;
       }
       COMPARE_NEAR(volumeOf(solidDifferenceOf(a, b)), left, 1e-9 * volumeOf(frame));
+    }
+  }
+
+  /// Corner by corner: files are the same on any machine.
+  void threadsChangeNothing() {
+    std::mt19937_64 random = seededRandom();
+    for (int round = 0; round < 6; ++round) {
+      const Mesh a = solidOfKind(random, round, 3), b = solidOfKind(random, 5 - round, 1);
+      setThreadLimit(1);
+      const Mesh alone = arranged(a, b);
+      setThreadLimit(0);
+      const Mesh together = arranged(a, b);
+      QVERIFY(alone.points == together.points);
+      QVERIFY(alone.faceVertices == together.faceVertices);
     }
   }
 

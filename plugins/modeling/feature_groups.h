@@ -8,7 +8,7 @@ namespace blossom::modeling {
 void registerOutlines(Registry&);
 void registerPrimitives(Registry&);        ///< box, cylinder, cone, sphere, torus
 void registerProfileFeatures(Registry&);   ///< extrude, revolve, loft, pipe
-void registerSolidFeatures(Registry&);     ///< Boolean, fillet, chamfer, shell
+void registerSolidFeatures(Registry&);     ///< Boolean, fillet, chamfer, shell, solid from mesh
 void registerArrangements(Registry&);      ///< transform, pattern, mirror
 void registerSequenceFeatures(Registry&);  ///< frame, join sequences, retime
 

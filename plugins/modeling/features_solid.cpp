@@ -8,6 +8,7 @@
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"
+#include "kernel/parts/mesh_solid.h"
 #include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
 #include "kernel/solid/fillet.h"
@@ -44,6 +45,21 @@ std::optional<Region> combinedRegion(const BooleanParameters& p, std::span<const
   return region;
 }
 
+/// A mesh as the solid that it bounds.
+TopoDS_Shape solidShape(const Shape& shape, const Progress& progress) {
+  if (const Mesh* mesh = shape.get<Mesh>()) return solidOfMesh(*mesh, progress);
+  return asBrep(shape).shape();
+}
+
+/// The input of a feature with picked edges or faces, whose numbers are those of the solid.
+TopoDS_Shape solidOfPicks(const Inputs& inputs, const std::vector<SubShapeValue>& picked, const Progress& progress) {
+  const Shape& shape = inputs.of(0)[0];
+  if (shape.kind() == ShapeKind::Mesh && !picked.empty())
+    throw Error(ErrorCode::InvalidInput, "Edges and faces are picked of a solid, and this is a mesh.",
+                "Make a solid of it with \"Solid from mesh\", then pick them of that.");
+  return solidShape(shape, progress);
+}
+
 Evaluated booleanOf(const BooleanParameters& p, const Inputs& inputs, const Progress& progress) {
   const auto shapes = inputs.of(0);
   if (auto region = combinedRegion(p, shapes, progress)) {
@@ -55,10 +71,10 @@ Evaluated booleanOf(const BooleanParameters& p, const Inputs& inputs, const Prog
   std::vector<TopoDS_Shape> breps;
   breps.reserve(shapes.size());
   for (const Shape& shape : shapes) {
-    if (shape.kind() != shapes.front().kind())
+    if ((shape.kind() == ShapeKind::Region) != (shapes.front().kind() == ShapeKind::Region))
       throw Error(ErrorCode::InvalidInput, "Regions and solids cannot be combined with each other.",
                   "Extrude the region first.");
-    breps.push_back(shape.get<Region>() ? profileShape(shape, {}, true) : asBrep(shape).shape());
+    breps.push_back(shape.get<Region>() ? profileShape(shape, {}, true) : solidShape(shape, progress));
   }
   BooleanResult made = combine(breps, {p.operation, p.fuzzy, p.simplify}, progress);
   Evaluated out;
@@ -82,7 +98,7 @@ FeatureType booleanFeature() {
           .produces({ShapeKind::Brep, ShapeKind::Region})
           .input({.name = "shapes",
                   .help = "Solids, or regions. A difference is the first without the others.",
-                  .kinds = {ShapeKind::Brep, ShapeKind::Region},
+                  .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Mesh},
                   .minimum = 2,
                   .maximum = anyNumber,
                   .use = InputUse::Consumed,
@@ -97,7 +113,11 @@ FeatureType booleanFeature() {
 }
 
 InputSpec solidInput(const char* asks) {
-  return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}, .use = InputUse::Consumed, .asks = asks};
+  return {.name = "shape",
+          .help = "A solid.",
+          .kinds = {ShapeKind::Brep, ShapeKind::Mesh},
+          .use = InputUse::Consumed,
+          .asks = asks};
 }
 
 struct FilletParameters {
@@ -118,7 +138,8 @@ FeatureType filletFeature() {
           .example("blossom fillet block.step --radius 3 -o soft.step")
           .example("blossom fillet block.step --edges shape:edge:0,shape:edge:4 --radius 1.5 -o part.step")
           .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-            const FilletResult made = fillet(inputs.get<Brep>().shape(), {p.radius, numbersOf(p.edges)}, progress);
+            const FilletResult made =
+                fillet(solidOfPicks(inputs, p.edges, progress), {p.radius, numbersOf(p.edges)}, progress);
             return Evaluated{Brep(made.shape), {{"rounded_edges", made.edges}}, {}};
           }),
       {.activity = "for the fillet"});
@@ -146,7 +167,7 @@ FeatureType chamferFeature() {
           .example("blossom chamfer block.step --edges shape:edge:2 --distance 2 --second 5 -o part.step")
           .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
             const ChamferResult made =
-                chamfer(inputs.get<Brep>().shape(), {p.distance, p.second, numbersOf(p.edges)}, progress);
+                chamfer(solidOfPicks(inputs, p.edges, progress), {p.distance, p.second, numbersOf(p.edges)}, progress);
             return Evaluated{Brep(made.shape), {{"chamfered_edges", made.edges}}, {}};
           }),
       {.activity = "for the chamfer"});
@@ -171,16 +192,40 @@ FeatureType shellFeature() {
           .parameter("side", &P::side, choice({"inside", "outside"}), "Whether the walls grow into the solid or around it.")
           .example("blossom shell block.step --faces shape:face:5 --thickness 1.5 -o tray.step")
           .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-            const ShellResult made = shell(inputs.get<Brep>().shape(), {p.thickness, p.side, numbersOf(p.faces)}, progress);
+            const ShellResult made =
+                shell(solidOfPicks(inputs, p.faces, progress), {p.thickness, p.side, numbersOf(p.faces)}, progress);
             return Evaluated{Brep(made.shape), {{"open_faces", p.faces.size()}}, {}};
           }),
       {.activity = "for the shell"});
 }
 
+struct NoParameters {};
+
+FeatureType meshSolidFeature() {
+  return inWorker(feature<NoParameters>("modeling.mesh-solid", "Solid from mesh",
+                                        "The solid that a closed mesh bounds; what lies in one plane is one face.")
+                      .icon("solid")
+                      .keywords({"convert", "mesh to solid", "brep", "stl to step", "planar faces"})
+                      .produces({ShapeKind::Brep})
+                      .input({.name = "mesh",
+                              .help = "A closed mesh of at most 20,000 faces.",
+                              .kinds = {ShapeKind::Mesh},
+                              .use = InputUse::Consumed,
+                              .asks = "a mesh to make a solid of"})
+                      .example("blossom mesh-solid part.stl -o part.step")
+                      .evaluate([](const NoParameters&, const Inputs& inputs, const Progress& progress) {
+                        const Mesh& mesh = *inputs.of(0)[0].get<Mesh>();
+                        Evaluated out{Brep(solidOfMesh(mesh, progress), mesh.name, mesh.color), Value::object(), {}};
+                        out.stats["polygons"] = mesh.faceCount();
+                        return out;
+                      }),
+                  {.activity = "for the solid"});
+}
+
 }  // namespace
 
 void registerSolidFeatures(Registry& registry) {
-  registry.addAll(booleanFeature(), filletFeature(), chamferFeature(), shellFeature());
+  registry.addAll(booleanFeature(), filletFeature(), chamferFeature(), shellFeature(), meshSolidFeature());
 }
 
 }  // namespace blossom::modeling

@@ -1,0 +1,51 @@
+#include "kernel/parts/mesh_solid.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/place_text.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/joined_faces.h"
+#include "geometry/occt/occt.h"
+#include "kernel/parts/finished_solid.h"
+#include "kernel/parts/guarded.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+constexpr std::size_t mostFaces = 20'000;
+
+void refuseOpen(const Mesh& mesh, const MeshTopology& topology) {
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.balanced()) continue;
+    const Vec3 middle =
+        (mesh.points[static_cast<std::size_t>(edge.low)] + mesh.points[static_cast<std::size_t>(edge.high)]) / 2;
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("The mesh bounds no solid: it is open, or its faces look different ways, near {}.", placeText(middle)),
+        "Close and orient it in the program that made it.");
+  }
+}
+
+}  // namespace
+
+TopoDS_Shape solidOfMesh(const Mesh& mesh, const Progress& progress) {
+  if (mesh.faceCount() > mostFaces)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("A mesh of {} faces is too large for a solid of planar faces; the limit is {}.",
+                            mesh.faceCount(), mostFaces),
+                "Simplify it first, or use it where meshes are taken.");
+  refuseOpen(mesh, meshTopology(mesh, progress));
+  const Complaint complaint{"The mesh bounds no valid solid.",
+                            "It may cross itself: repair it in the program that made it."};
+  return guarded(complaint.message, complaint.hint, [&] {
+    const TopoDS_Shape faces = toShape(mesh);
+    progress.check();
+    const TopoDS_Shape joined = withJoinedFaces(faces, JoinedEdges::Join);
+    // Joining is a convenience: where it spoils the shape, every polygon stays a face.
+    return finishedSolid(!joined.IsNull() && isGoodSolid(joined) ? joined : toShape(mesh), complaint);
+  });
+}
+
+}  // namespace blossom::modeling

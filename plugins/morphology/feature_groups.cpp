@@ -14,6 +14,8 @@ const char* wayOf(const MorphologyStats& stats) {
       return "hulls";
     case Way::Planes:
       return "planes";
+    case Way::Field:
+      return "field";
     case Way::Arranged:
       break;
   }

@@ -13,6 +13,11 @@ void registerGrowth(Registry&);
 /// The solids as one mesh, or as a sequence when `times` is not empty.
 Evaluated evaluatedFrom(MorphologyResult, const std::vector<double>& times = {});
 
+/// Cells of a preview; 0: the solid itself. The window sets it while something is dragged (document/quick_preview.h).
+inline ParameterSpec previewCells() { return count(0, 200); }
+inline constexpr const char* previewHelp =
+    "Makes a preview of so many cells along the longest side, which is quick for any shapes; 0: the solid itself.";
+
 /// Help text of the deviation parameter of every feature with solids as inputs.
 inline constexpr const char* deviationHelp =
     "Largest distance between a curved solid or curve and the polyhedron made of it.";
@@ -28,7 +33,7 @@ ParameterSpec controlChoice();
 ParameterSpec controlCurveSpec();
 
 inline const std::vector<ShapeKind> solidKinds{ShapeKind::Mesh, ShapeKind::Brep};
-inline const std::vector<ShapeKind> elementKinds{ShapeKind::Mesh, ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves,
-                                                 ShapeKind::Curve};
+inline const std::vector<ShapeKind> elementKinds{ShapeKind::Mesh,   ShapeKind::Brep,  ShapeKind::Region,
+                                                 ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface};
 
 }  // namespace blossom::morphology

@@ -16,7 +16,9 @@ struct MorphParameters {
   std::vector<double> blossom;
   Control control = Control::Linear;
   Value curve = Value::array();
+  bool volumePreserving = false;
   double deviation = 0.05;
+  int preview = 0;
 };
 
 /// Of each of n + 1 solids at n arguments: the blossom of the Bernstein polynomial, one product of t and 1 - t for every way
@@ -61,7 +63,9 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
   std::vector<std::vector<double>> weights;
   for (const double t : controlled(p.control, p.curve, times))
     weights.push_back(weightsAt(p.blossom.empty() ? std::vector<double>(solids.size() - 1, t) : p.blossom));
-  Evaluated out = evaluatedFrom(solidMorph(solids, weights, progress), p.frames > 0 ? times : std::vector<double>());
+  if (p.preview > 0 && p.frames == 0) return evaluatedFrom(previewOfSum(solids, weights.front(), p.preview, progress));
+  Evaluated out = evaluatedFrom(solidMorph(solids, weights, {.volumePreserving = p.volumePreserving}, progress),
+                                p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = p.frames > 0 ? Value(weights) : Value(weights.front());
   return out;
 }
@@ -89,7 +93,10 @@ FeatureType morphFeature() {
       .parameter("control", &P::control, controlChoice(), "Growth of the share of later solids with t.")
       .parameter("curve", &P::curve, controlCurveSpec(),
                  "The value that takes the place of t at times t; linear between them.")
+      .parameter("volume-preserving", &P::volumePreserving, flag(),
+                 "Scale each solid about its middle so that its volume blends those of the shapes.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+      .parameter("preview", &P::preview, previewCells(), previewHelp)
       .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
       .example("blossom solid-morph a.step b.step c.step --frames 9 --control ease -o frame.obj")
       .example("blossom solid-morph a.stl b.stl c.stl --blossom 0.2,0.9 -o between.off")

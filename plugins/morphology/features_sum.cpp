@@ -1,3 +1,4 @@
+#include <array>
 #include <functional>
 
 #include "feature_groups.h"
@@ -20,8 +21,49 @@ Evaluated combined(const PairOperation& operation, bool solidFirst, const SumPar
   return evaluatedFrom(operation(a, b, progress));
 }
 
+enum class ShownFacets { None, Families, Outlines };
+
+struct ShownSumParameters {
+  double deviation = 0.05;
+  ShownFacets facets = ShownFacets::None;
+  int preview = 0;
+};
+
+/// {"corner_and_face": [[[x, y, z], ..], ..], ..}; and where the reflex corners are.
+void tellParts(const SumParts& parts, Value& stats) {
+  const auto coordinates = [](const std::vector<Vec3>& points) {
+    Value all = Value::array();
+    for (const Vec3& p : points) all.push_back({p.x(), p.y(), p.z()});
+    return all;
+  };
+  constexpr std::array<const char*, 3> families{"corner_and_face", "face_and_corner", "edges"};
+  Value facets = Value::object();
+  for (std::size_t family = 0; family < families.size(); ++family) {
+    Value& told = facets[families[family]] = Value::array();
+    for (const auto& facet : parts.facets[family]) told.push_back(coordinates(facet));
+  }
+  stats["parts"] = {{"facets", std::move(facets)}, {"reflex", coordinates(parts.reflex)}};
+}
+
+Evaluated summed(const ShownSumParameters& p, const Inputs& inputs, const Progress& progress) {
+  if (p.preview > 0) {
+    const auto previewed = [&](const Operand& a, const Operand& b, const Progress& part) {
+      return previewOfSum({a, b}, {1, 1}, p.preview, part);
+    };
+    return combined(previewed, false, {p.deviation}, inputs, progress);
+  }
+  const bool isPlain = p.facets == ShownFacets::None;
+  Evaluated out = combined(solidSum, false, {p.deviation}, inputs, progress.part(0, isPlain ? 1 : 0.6));
+  if (isPlain) return out;
+  const auto operand = [&](std::size_t slot, const char* name) {
+    return operandOf(inputs.of(slot)[0], {p.deviation, name, false}, progress.part(0.6, 0.7));
+  };
+  tellParts(partsOfSum(operand(0, "The first shape"), operand(1, "The second shape"), progress.part(0.7, 1)), out.stats);
+  return out;
+}
+
 FeatureType sumFeature() {
-  using P = SumParameters;
+  using P = ShownSumParameters;
   return feature<P>("morphology.solid-sum", "Solid sum",
                     "The space that one solid covers while its origin moves over the other.")
       .icon("solid-sum")
@@ -37,12 +79,14 @@ FeatureType sumFeature() {
               .use = InputUse::Consumed,
               .asks = "a shape to add"})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+      .parameter("facets", &P::facets, choice({"none", "families", "outlines"}),
+                 "What the picture shows of how the sum is made: the facets coloured by what they are made of, with the "
+                 "reflex corners, and also the outlines of all facets, of which those inside are left out.")
+      .parameter("preview", &P::preview, previewCells(), previewHelp)
       .example("blossom solid-sum part.stl ball:2 -o grown.stl")
       .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
       .example("blossom solid-sum part.stl segment:0:0:20 -o swept.obj")
-      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-        return combined(solidSum, false, p, inputs, progress);
-      });
+      .evaluate(summed);
 }
 
 struct PairTexts {

@@ -637,6 +637,21 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::SumOverlay</name>
+    <message>
+        <source>corner + face</source>
+        <translation>Ecke + Fläche</translation>
+    </message>
+    <message>
+        <source>face + corner</source>
+        <translation>Fläche + Ecke</translation>
+    </message>
+    <message>
+        <source>edge + edge</source>
+        <translation>Kante + Kante</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::CurveTool</name>
     <message>
         <source>Pull a point</source>

@@ -637,6 +637,21 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::SumOverlay</name>
+    <message>
+        <source>corner + face</source>
+        <translation>꼭짓점 + 면</translation>
+    </message>
+    <message>
+        <source>face + corner</source>
+        <translation>면 + 꼭짓점</translation>
+    </message>
+    <message>
+        <source>edge + edge</source>
+        <translation>모서리 + 모서리</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::CurveTool</name>
     <message>
         <source>Pull a point</source>

@@ -363,6 +363,70 @@
 <context>
     <name>Registry</name>
     <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Makes a preview of so many cells along the longest side, which is quick for any shapes; 0: the solid itself.</source>
+        <translation>Macht eine Vorschau aus so vielen Zellen entlang der längsten Seite, was für alle Formen schnell geht; 0: der Körper selbst.</translation>
+    </message>
+    <message>
+        <source>Solid from mesh</source>
+        <translation>Körper aus Netz</translation>
+    </message>
+    <message>
+        <source>The solid that a closed mesh bounds; what lies in one plane is one face.</source>
+        <translation>Der Körper, den ein geschlossenes Netz begrenzt; was in einer Ebene liegt, ist eine Fläche.</translation>
+    </message>
+    <message>
+        <source>A closed mesh of at most 20,000 faces.</source>
+        <translation>Ein geschlossenes Netz mit höchstens 20.000 Flächen.</translation>
+    </message>
+    <message>
+        <source>a mesh to make a solid of</source>
+        <translation>ein Netz, aus dem ein Körper wird</translation>
+    </message>
+    <message>
+        <source>convert</source>
+        <translation>umwandeln</translation>
+    </message>
+    <message>
+        <source>mesh to solid</source>
+        <translation>Netz zu Körper</translation>
+    </message>
+    <message>
+        <source>stl to step</source>
+        <translation>stl zu step</translation>
+    </message>
+    <message>
+        <source>planar faces</source>
+        <translation>ebene Flächen</translation>
+    </message>
+    <message>
+        <source>volume preserving</source>
+        <translation>volumentreu</translation>
+    </message>
+    <message>
+        <source>Scale each solid about its middle so that its volume blends those of the shapes.</source>
+        <translation>Jeden Körper um seine Mitte so skalieren, dass sein Volumen zwischen denen der Formen übergeht.</translation>
+    </message>
+    <message>
+        <source>families</source>
+        <translation>Familien</translation>
+    </message>
+    <message>
+        <source>outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>What the picture shows of how the sum is made: the facets coloured by what they are made of, with the reflex corners, and also the outlines of all facets, of which those inside are left out.</source>
+        <translation>Was das Bild davon zeigt, wie die Summe entsteht: die Facetten, gefärbt nach dem, woraus sie bestehen, mit den einspringenden Ecken, und dazu die Umrisse aller Facetten, von denen die inneren wegfallen.</translation>
+    </message>
+    <message>
         <source>0: 2 mm more than the pocket is deep, or as thick as the solid.</source>
         <translation>0: 2 mm mehr, als die Tasche tief ist, oder so dick wie der Körper.</translation>
     </message>

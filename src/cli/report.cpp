@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "parameter/nested_value.h"
 
 namespace blossom {
 namespace {
@@ -109,6 +110,7 @@ std::vector<ReportRow> rowsOf(const Value& object) {
   std::vector<ReportRow> rows;
   for (const auto& [key, value] : object.items()) {
     if (value.is_null() || ((value.is_object() || value.is_array()) && value.empty())) continue;
+    if (isNestedData(value)) continue;
     const auto [name, unit] = splitUnit(key);
     rows.push_back({readable(name), valueText(value), unit});
   }

@@ -6,6 +6,8 @@
 #include "document/edits.h"
 #include "geometry/measure/measure.h"
 #include "support/polyhedra.h"
+#include "ui/controls/ratio_slider.h"
+#include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 #include "worker/worker.h"
@@ -43,6 +45,8 @@ class MorphologyWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void twoSolidsAreAddedOneMeltsAndTheResultIsSaved();
+  void theFacetsOfASumAreShown();
+  void aSlowMorphIsPreviewedWhileItIsDragged();
   void aMorphPlaysInTheTimeline();
   void theRadiusIsDragged();
   void aLongSumIsCancelled();
@@ -123,6 +127,72 @@ void MorphologyWindowTest::twoSolidsAreAddedOneMeltsAndTheResultIsSaved() {
   while (!window_->session().history().redoText().empty()) window_->session().redo();
   waitUntilComputed();
   COMPARE_NEAR(measureOf(core, "volume"), left, 1e-9 * left);
+}
+
+void MorphologyWindowTest::theFacetsOfASumAreShown() {
+  openAndWait(written(lBlock(), "bracket.off"));
+  const FeatureId bracket = last();
+  importMore(written(triangulated(cornerTetrahedron()).first, "tool.off"));
+  select({bracket, last()});
+  run("feature.morphology.solid-sum");
+  waitUntilComputed();
+  const FeatureId sum = last();
+  select({sum});
+  run("view.fit");
+  const Look look = window_->page().look();
+  const auto seen = [&](const Color& color) { return colored(canvas(), qtColor(color)); };
+  const auto show = [&](const char* facets) {
+    Feature feature = window_->page().document().at(sum);
+    feature.parameters["facets"] = facets;
+    window_->session().commit(window_->page().document().with(feature), QStringLiteral("Show facets"));
+  };
+  QVERIFY(seen(look.control) < 0.01);
+  show("families");
+  waitUntilComputed();
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  if (!folder.isEmpty()) QVERIFY(canvas().save(folder + QStringLiteral("/sum-families.png")));
+  QVERIFY2(seen(look.control) > 0.005 && seen({0.45, 0.65, 0.35}) > 0.02, "facets have the colours of their families");
+  show("outlines");
+  waitUntilComputed();
+  (void)canvas();
+  if (!folder.isEmpty()) window_->grab().save(folder + QStringLiteral("/sum-parts.png"));
+  show("none");
+  waitUntilComputed();
+  QVERIFY(seen(look.control) < 0.01);
+}
+
+/// By its slider in the panel: on a grid while the hand moves, itself when it rests.
+void MorphologyWindowTest::aSlowMorphIsPreviewedWhileItIsDragged() {
+  std::mt19937_64 random = seededRandom();
+  openAndWait(written(spikyRing(random, 20, 6, 40), "ring.off"));
+  const FeatureId ring = last();
+  importMore(written(spikyRing(random, 12, 3, 30), "other.off"));
+  select({ring, last()});
+  run("feature.morphology.solid-morph");
+  waitUntilComputed();
+  const FeatureId morph = last();
+  select({morph});
+  const auto way = [&] {
+    const auto view = window_->session().view(morph);
+    return view && !view->result->error ? view->result->evaluated.stats.value("way", std::string()) : std::string();
+  };
+  QCOMPARE(way(), std::string("arranged"));
+  auto* slider = window_->properties().field(QStringLiteral("t"))->findChild<RatioSlider*>();
+  QVERIFY(slider);
+  const auto at = [&](double share) { return QPointF(share * slider->width(), slider->height() / 2.0); };
+  mouseIn(slider, QEvent::MouseButtonPress, at(0.5));
+  bool previewed = false;
+  for (int k = 1; k <= 100 && !previewed; ++k) {
+    mouseIn(slider, QEvent::MouseMove, at(0.3 + 0.01 * (k % 30)));
+    QTest::qWait(30);
+    previewed = way() == "field";
+  }
+  QVERIFY2(previewed, "a preview is seen while the slider moves");
+  QTRY_COMPARE_WITH_TIMEOUT(way(), std::string("arranged"), 30000);  // the hand rests
+  mouseIn(slider, QEvent::MouseButtonRelease, at(0.45));
+  waitUntilComputed();
+  QCOMPARE(way(), std::string("arranged"));
+  QVERIFY(window_->page().document().at(morph).parameters.value("preview", Value(0)) == 0);
 }
 
 void MorphologyWindowTest::aMorphPlaysInTheTimeline() {

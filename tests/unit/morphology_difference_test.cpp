@@ -121,7 +121,7 @@ class MorphologyDifferenceTest : public QObject {
     COMPARE_NEAR(volumeOf(left), 3.5, tiny);
     COMPARE_NEAR(boundsOf(left).high.z(), 0.5, tiny);
     Operand plate;
-    plate.form = Operand::Form::Flat;
+    plate.form = Operand::Form::Sheet;
     plate.pieces = {{{0, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}}, {{0, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}}};
     COMPARE_NEAR(volumeOf(solidDifference(bodyOf(lBlock()), plate).solids.front()), 2 * (2 * 3.5 * 0.5 - 0.25), tiny);
   }

@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <thread>
 
+#include "geometry/occt/occt.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
 #include "support/polyhedra.h"
@@ -52,6 +53,29 @@ class MorphologyFeatureTest : public QObject {
     for (const char* wrong :
          {"ball:", "ball:-1", "ball:1:2:3", "ball:1:1.5", "ball:1:9", "ball:x", "segment:1:2", "segment:0:0:0"})
       VERIFY_ERROR(literal(wrong), ErrorCode::InvalidParameter);
+  }
+
+  /// Two squares at a right angle and a unit cube: two plates. A surface that is curved lies in between.
+  void openSurfaces() {
+    Mesh bent;
+    bent.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}};
+    bent.addFace(std::array{0, 1, 2, 3});
+    bent.addFace(std::array{0, 3, 5, 4});
+    const Mesh cube = cuboid({0, 0, 0}, {1, 1, 1});
+    const Shape sheet = Brep(toShape(bent));
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {cube, sheet})), 6, 1e-9);
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {sheet, cube})), 6, 1e-9);
+    // As a mesh it may as well be a solid with a hole in its skin.
+    const Error error = refusal("solid-sum", Value::object(), {cube, bent});
+    QVERIFY(error.message().find("is open: an edge near (") != std::string::npos);
+    QCOMPARE(refusal("solid-difference", Value::object(), {sheet, cube}).code(), ErrorCode::InvalidInput);
+
+    Surface saddle;
+    saddle.degreeU = saddle.degreeV = 1;
+    saddle.knotsU = saddle.knotsV = {0, 0, 1, 1};
+    saddle.poles = {{0, 0, 0, 1}, {0, 2, 1, 1}, {2, 0, 1, 1}, {2, 2, 0, 1}};
+    const double sum = volume(made("solid-sum", {{"deviation", 0.01}}, {cube, saddle}));
+    QVERIFY2(sum > 3 * 3 * 1 && sum < 3 * 3 * 2, qPrintable(QString::number(sum)));
   }
 
   void sequences() {

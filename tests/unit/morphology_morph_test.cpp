@@ -79,6 +79,27 @@ class MorphologyMorphTest : public QObject {
     }
   }
 
+  /// Prisms, convex solids, any others, and a solid of bodies that overlap.
+  void volumesBlend() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh overlapping = together(cuboid({0, 0, 0}, {2, 2, 2}), cuboid({1, 1, 1}, {3, 3, 3}));
+    const std::vector<std::pair<Mesh, double>> solids{{lBlock(), volumeOf(lBlock())},
+                                                      {cuboid({5, 6, 7}, {6, 8, 8}), 2},
+                                                      {ballOf(1.5, 1), volumeOf(ballOf(1.5, 1))},
+                                                      {overlapping, 15},
+                                                      {spikyCube(random, 2), 0}};
+    for (const auto& [a, volumeOfA] : solids)
+      for (const auto& [b, volumeOfB] : solids)
+        for (const double t : {0.0, 0.3, 0.8, 1.0}) {
+          const auto known = [](const Mesh& solid, double volume) { return volume > 0 ? volume : volumeOf(solid); };
+          const double wanted = (1 - t) * known(a, volumeOfA) + t * known(b, volumeOfB);
+          const Mesh made = solidMorph({bodyOf(a), bodyOf(b)}, {{1 - t, t}}, {.volumePreserving = true}).solids.front();
+          COMPARE_NEAR(volumeOf(made), wanted, 1e-9 * wanted);
+          const Vec3 middle = (1 - t) * boundsOf(a).center() + t * boundsOf(b).center();
+          QVERIFY((boundsOf(made).center() - middle).norm() < 1e-9);
+        }
+  }
+
   void controlFunctions() {
     for (const Control control : {Control::Linear, Control::Ease, Control::EaseIn, Control::EaseOut}) {
       COMPARE_NEAR(controlValue(control, {}, 0), 0, 0);

@@ -144,7 +144,8 @@ class MorphologySumTest : public QObject {
   }
 
   void flatElementsAndPoints() {
-    const Operand square = thin(Operand::Form::Flat, {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
+    const Operand square =
+        thin(Operand::Form::Sheet, {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
     COMPARE_NEAR(volumeOf(solidSum(bodyOf(cubeOfSideOne()), square).solids.front()), 3 * 3 * 1, tiny);
     const Operand up = thin(Operand::Form::Lines, {{{0, 0, 0}, {0, 0, 1.5}}});
     COMPARE_NEAR(volumeOf(solidSum(square, up).solids.front()), 2 * 2 * 1.5, tiny);
@@ -178,6 +179,32 @@ class MorphologySumTest : public QObject {
 
   /// An L and a tetrahedron, both about as they are drawn: 8 faces at a corner each, 4 more at those of the L, and the
   /// edges.
+  /// Around convex solids in general position the facets are the boundary; elsewhere they cover it.
+  void facetsCoverTheBoundary() {
+    std::mt19937_64 random = seededRandom();
+    const auto areaOf_ = [](const SumParts& parts) {
+      double sum = 0;
+      for (const auto& family : parts.facets)
+        for (const std::vector<Vec3>& facet : family) sum += vectorArea(facet).norm();
+      return sum;
+    };
+    for (int round = 0; round < 10; ++round) {
+      const Mesh a = turnedBy(ballOf(2, 1), randomTurn(random)),
+                 b = turnedBy(cuboid({1, 0, 0}, {2, 3, 1}), randomTurn(random));
+      const SumParts parts = partsOfSum(bodyOf(a), bodyOf(b));
+      const Mesh sum = solidSumOf(a, b);
+      COMPARE_NEAR(areaOf_(parts), areaOf(sum), 1e-9 * areaOf(sum));
+      QVERIFY(parts.reflex.empty());
+      // From outside: each family has the rest of the sum behind its facets.
+      for (const auto& family : parts.facets)
+        for (const std::vector<Vec3>& facet : family)
+          for (const Vec3& p : sum.points) QVERIFY((p - facet[0]).dot(vectorArea(facet)) < 1e-9);
+    }
+    const SumParts parts = partsOfSum(bodyOf(lBlock()), bodyOf(cornerTetrahedron()));
+    QCOMPARE(parts.reflex.size(), std::size_t(2));
+    QVERIFY(areaOf_(parts) > areaOf(solidSumOf(lBlock(), cornerTetrahedron())));
+  }
+
   void theCountersTellWhatWasDone() {
     const MorphologyResult made = solidSum(bodyOf(lBlock()), bodyOf(cornerTetrahedron()));
     QVERIFY(made.stats.way == Way::Arranged);

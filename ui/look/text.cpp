@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameter/nested_value.h"
 #include "ui/look/units.h"
 
 namespace blossom::ui {
@@ -197,7 +198,7 @@ bool worthReading(const std::string& name, const Value& value) {
                                                "crossing_second_at"};
   const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
                        (name == "refinements" && value.is_number() && value.get<double>() == 0);
-  return !nothing && !technical.contains(name);
+  return !nothing && !technical.contains(name) && !isNestedData(value);
 }
 
 QString counted(const QString& count, const QString& noun) {

@@ -64,6 +64,12 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   connect(&session, &Session::viewsChanged, this, &PropertyPanel::followViews);
   // In a turn of its own: the results that have come are shown first.
   connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview, Qt::QueuedConnection);
+  constexpr int restMs = 150;
+  rest_.setSingleShot(true);
+  rest_.setInterval(restMs);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (previewed_ && !waiting_) sendWhole(session_.document());
+  });
   connect(&session, &Session::evaluationStarted, this, [this] {
     if (result_->showsCancelled()) refreshResult();
   });
@@ -155,8 +161,8 @@ void PropertyPanel::rebuild() {
   unshowable_.clear();
   inputs_.clear();
   header_ = nullptr;
-  previewed_ = faulty_ = nullptr;
-  waiting_.reset();
+  endPreviews();
+  faulty_ = nullptr;
   QWidget* const before = std::exchange(form_, new QWidget(widget()));
   column_ = new QVBoxLayout(form_);
   column_->setContentsMargins(0, 0, 0, 0);

@@ -1,5 +1,7 @@
 #pragma once
+#include <QElapsedTimer>
 #include <QScrollArea>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <optional>
@@ -83,6 +85,8 @@ class PropertyPanel : public QScrollArea {
   void showNotice(const std::vector<std::string>& warnings);
   void preview(ParameterField*, const Value&);
   void sendPreview();
+  void sendWhole(Document);
+  void endPreviews();
   void commit(ParameterField*, const Value&);
   void takeFiles(ParameterField*, const Document&);
   [[nodiscard]] bool refreshTime(ParameterField&);
@@ -109,6 +113,10 @@ class PropertyPanel : public QScrollArea {
 
   ParameterField* previewed_ = nullptr;  // the field that is dragged
   std::optional<Value> waiting_;         // its newest value, not yet sent off
+  QElapsedTimer sent_;                   // since the last whole document
+  bool sentWhole_ = false;               // its results are awaited
+  bool isSlow_ = false;                  // they took long
+  QTimer rest_;                          // after which the whole follows a quick preview
   QLabel* notice_ = nullptr;             // the first warning of the result
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;

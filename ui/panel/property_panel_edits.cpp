@@ -1,10 +1,12 @@
 // The part of PropertyPanel that changes the document: previews, edits and files.
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "document/edits.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
+#include "document/quick_preview.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/registry_text.h"
 #include "ui/look/text.h"
@@ -80,15 +82,28 @@ void PropertyPanel::preview(ParameterField* field, const Value& value) {
 // Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
 // slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
-  if (!waiting_ || !previewed_ || session_.evaluating()) return;
+  if (session_.evaluating()) return;
+  constexpr qint64 patience = 120;  // ms; what takes longer is previewed on a grid where it can be
+  if (std::exchange(sentWhole_, false)) isSlow_ = sent_.elapsed() > patience;
+  if (!waiting_ || !previewed_) return;
   const Value value = std::move(*waiting_);
   waiting_.reset();
-  session_.preview(session_.document().with(changed(previewed_->spec().name, value)));
+  Document document = session_.document().with(changed(previewed_->spec().name, value));
+  auto quick = isSlow_ ? quickPreview(document, *session_.app().registry, shown_) : std::nullopt;
+  if (!quick) return sendWhole(std::move(document));
+  rest_.start();
+  session_.preview(std::move(document), std::move(quick->document));
+}
+
+void PropertyPanel::sendWhole(Document document) {
+  rest_.stop();
+  sentWhole_ = true;
+  sent_.start();
+  session_.preview(std::move(document));
 }
 
 void PropertyPanel::commit(ParameterField* field, const Value& value) {
-  waiting_.reset();
-  previewed_ = nullptr;
+  endPreviews();
   const Document document =
       session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
@@ -121,9 +136,15 @@ void PropertyPanel::takeFiles(ParameterField* field, const Document& document) {
       });
 }
 
-void PropertyPanel::revert() {
+void PropertyPanel::endPreviews() {
   waiting_.reset();
+  rest_.stop();
   previewed_ = nullptr;
+  sentWhole_ = false;
+}
+
+void PropertyPanel::revert() {
+  endPreviews();
   session_.endPreview();
 }
 

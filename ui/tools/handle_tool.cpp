@@ -5,9 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/quick_preview.h"
+#include "feature/registry.h"
+
 namespace blossom::ui {
 
 namespace {
+
+/// ms; what takes longer is previewed on a grid where it can be, which is not as quick as a frame.
+constexpr double patience = 120;
 
 /// Documents share what is equal. Undone, or joined by an import, during a drag: the drag must not put the old one back.
 bool sameFeatures(const Document& a, const Document& b) { return std::ranges::equal(a.features(), b.features()); }
@@ -20,7 +26,7 @@ HandleTool::HandleTool(ToolHost& toolHost, FeatureId feature)
       feature_(std::move(feature)),
       millimetresPerPixel_(toolHost.gridSpacing() / 20),
       detail_([this](const Document& document, std::optional<Document> coarser) { send(document, std::move(coarser)); },
-              [this] { return host().result(feature_); }) {}
+              [this] { return host().result(watched_.empty() ? feature_ : watched_); }) {}
 
 bool HandleTool::press(const ToolEvent& event) {
   noteScale(event);
@@ -124,7 +130,14 @@ bool HandleTool::loaded() {
 
 void HandleTool::preview(Document document, const DragDetail::Coarser& coarser) {
   previewing_ = true;
-  detail_.show(std::move(document), coarser);
+  const auto quick = coarser ? std::nullopt : quickPreview(document, host().registry(), feature_);
+  if (!quick) return detail_.show(std::move(document), coarser);
+  if (watched_.empty()) detail_.setBudget(patience);
+  watched_ = quick->last;
+  detail_.show(std::move(document), [this](const Document& whole) {
+    const auto again = quickPreview(whole, host().registry(), feature_);
+    return again ? again->document : whole;
+  });
 }
 
 void HandleTool::send(const Document& document, std::optional<Document> coarser) {

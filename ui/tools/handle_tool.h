@@ -41,7 +41,8 @@ class HandleTool : public Tool {
   virtual void putBack() = 0;
 
   /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled. Where that takes
-  /// longer than the frame budget, what `coarser` makes of the document is computed in its place until the hand rests.
+  /// longer than the frame budget, what `coarser` makes of the document is computed in its place until the hand rests; where
+  /// there is none, what is made of the feature is previewed where it can be (document/quick_preview.h).
   void preview(Document, const DragDetail::Coarser& coarser = {});
   /// Takes it back where nothing is held: what a card over the view previews.
   void endPreview();
@@ -64,6 +65,7 @@ class HandleTool : public Tool {
   void send(const Document&, std::optional<Document> coarser);
 
   FeatureId feature_;
+  FeatureId watched_;  ///< of what is made of it, what can be previewed and comes last; empty: there is none
   std::optional<std::size_t> hovered_, held_;
   std::optional<ToolEvent> last_;  ///< movement of the mouse, since it is over the view
   bool previewing_ = false, committing_ = false;

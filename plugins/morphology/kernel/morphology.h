@@ -18,12 +18,13 @@
 /// are regular closed sets: parts without volume are left out. They may touch themselves in common vertices and edges.
 namespace blossom::morphology {
 
-/// How a result was made; all ways give the same solid.
+/// How a result was made; all ways but the last give the same solid.
 enum class Way {
   Prisms,    ///< two prisms along one axis of the coordinates, by their sections (kernel/prisms/prism.h)
   Hulls,     ///< convex solids, by the overlay of their Gauss maps (kernel/convex/convex_sum.h)
   Planes,    ///< a convex solid, whose planes were moved inwards (kernel/convex/hull.h)
   Arranged,  ///< any others, by an arrangement of facets (kernel/arrangement/arranged_sum.h)
+  Field,     ///< a preview, by distance fields (kernel/preview/field_sum.h), which is only about the same
 };
 
 struct MorphologyStats {
@@ -47,6 +48,15 @@ struct MorphologyResult {
 /// A + B = {a + b} (Definition 5). @throws Error InvalidInput, Degenerate when it has no volume, LimitExceeded, Cancelled.
 MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
+/// What a sum is made of, for pictures of it (Figs. 4 and 5): all facets that may bound it, before those inside of it are
+/// left out and those in one plane are joined.
+struct SumParts {
+  std::array<std::vector<std::vector<Vec3>>, 3> facets;  ///< by the families of `MorphologyStats`; from outside
+  std::vector<Vec3> reflex;                              ///< ends of reflex edges of both shapes, where these lie
+};
+/// @throws Error as solidSum, but for sums without volume
+SumParts partsOfSum(const Operand& a, const Operand& b, const Progress& = Progress::none());
+
 /// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this definition
 /// makes A - B the inverse of A + B for a translation. @throws Error as solidSum; Degenerate when nothing is left.
 MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& = Progress::none());
@@ -59,8 +69,17 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
 /// The sum of `weights[k] * shapes[k]` for every row of weights (Definition 9, with w = f(t), for any number of shapes). The
 /// shapes are solids; a shape of weight 1 is itself.
 /// @param weights at least 0, of sum 1, one row for each frame and one weight for each shape
+struct MorphOptions {
+  /// In-between solids are scaled about the blend of the middles of the shapes, so that their volumes blend, too.
+  bool volumePreserving = false;
+};
 MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
-                            const Progress& = Progress::none());
+                            const MorphOptions& = {}, const Progress& = Progress::none());
+
+/// About what the sum of `weights[k] * shapes[k]` is, for pictures while something is dragged: on a grid of so many cells
+/// along its longest side, as the warning says. At least one shape is a solid, which is not checked for faults.
+MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vector<double>& weights, int cells,
+                              const Progress& = Progress::none());
 
 /// What a solid is grown or melted by.
 struct GrowOptions {

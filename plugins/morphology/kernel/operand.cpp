@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/sub_shape.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
 #include "geometry/tessellate/tessellate.h"
@@ -44,15 +45,16 @@ void addSegments(const std::vector<Vec3>& line, Operand& out) {
   for (std::size_t k = 0; k + 1 < line.size(); ++k) out.pieces.push_back({line[k], line[k + 1]});
 }
 
-Operand fromMesh(Mesh mesh, Operand out) {
+/// @param isSheet an open mesh is a surface, not a solid with a hole in its skin
+Operand fromMesh(Mesh mesh, bool isSheet, Operand out) {
   if (mesh.faceCount() == 0) {
     out.form = Operand::Form::Points;
     for (const Vec3& p : mesh.points) out.pieces.push_back({p});
     return out;
   }
   refuseUnusable(mesh, {out.name});
-  if (!meshTopology(mesh).closed() && isFlat(mesh)) {
-    out.form = Operand::Form::Flat;
+  if (!meshTopology(mesh).closed() && (isSheet || isFlat(mesh))) {
+    out.form = Operand::Form::Sheet;
     const Mesh triangles = triangulated(mesh).first;
     for (std::size_t f = 0; f < triangles.faceCount(); ++f) out.pieces.push_back(facePoints(triangles, f));
     return out;
@@ -61,8 +63,8 @@ Operand fromMesh(Mesh mesh, Operand out) {
   return out;
 }
 
-Operand fromTessellation(const Tessellation& made, Operand out) {
-  if (!made.triangles.empty()) return fromMesh(toMesh(made), std::move(out));
+Operand fromTessellation(const Tessellation& made, bool isSheet, Operand out) {
+  if (!made.triangles.empty()) return fromMesh(toMesh(made), isSheet, std::move(out));
   if (!made.edges.empty()) {
     out.form = Operand::Form::Lines;
     for (const auto& line : made.edges) addSegments(line, out);
@@ -71,6 +73,11 @@ Operand fromTessellation(const Tessellation& made, Operand out) {
   out.form = Operand::Form::Points;
   for (const Vec3& p : made.markers) out.pieces.push_back({p});
   return out;
+}
+
+bool isSheet(const Shape& shape) {
+  const Brep* brep = shape.get<Brep>();
+  return shape.kind() == ShapeKind::Surface || (brep && subShapesOf(brep->shape(), TopAbs_SOLID).empty());
 }
 
 /// A drawing of closed outlines is the area they enclose.
@@ -122,9 +129,10 @@ Operand operandOf(const Shape& shape, const OperandOptions& options, const Progr
   Operand out;
   out.name = options.name;
   if (const Mesh* mesh = shape.get<Mesh>())
-    out = fromMesh(*mesh, std::move(out));
+    out = fromMesh(*mesh, false, std::move(out));
   else
-    out = fromTessellation(tessellate(shape, {.chord = options.deviation, .angle = widestTurn}, progress), std::move(out));
+    out = fromTessellation(tessellate(shape, {.chord = options.deviation, .angle = widestTurn}, progress), isSheet(shape),
+                           std::move(out));
   refuseUnusable(out, options.solidOnly);
   return out;
 }

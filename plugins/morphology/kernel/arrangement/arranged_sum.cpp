@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 
 #include "core/parallel.h"
@@ -253,6 +254,31 @@ std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step
   const auto first = shapeOf(a, step), second = shapeOf(b, step);
   if (!first || !second) return std::nullopt;
   return arranged(*first, *second, step, false, kept, progress);
+}
+
+std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, double step, const Progress& progress) {
+  const auto first = shapeOf(a, step), second = shapeOf(b, step);
+  if (!first || !second) return std::nullopt;
+  Planes planes;
+  Points points(planes);
+  std::vector<SumFacet> made;
+  for (const Facet& facet : facetsOf(*first, *second, planes, points, nullptr, progress)) {
+    SumFacet& placed = made.emplace_back(static_cast<std::size_t>(facet.family));
+    for (std::size_t k = 0; k < facet.count; ++k)
+      placed.corners.emplace_back(step * inDoubles(points.grid(facet.corners[k])));
+  }
+  return made;
+}
+
+std::vector<Vec3> reflexCorners(const Term& term, double step) {
+  const auto shape = shapeOf(term, step);
+  std::vector<Vec3> made;
+  if (!shape) return made;
+  std::set<int> ends;
+  for (const Features::Edge& edge : shape->whole.edges)
+    if (isReflex(shape->whole, edge)) ends.insert({edge.from, edge.to});
+  for (const int end : ends) made.emplace_back(step * inDoubles(shape->whole.points[static_cast<std::size_t>(end)]));
+  return made;
 }
 
 std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress& progress) {

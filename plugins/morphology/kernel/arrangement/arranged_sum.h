@@ -47,4 +47,15 @@ std::shared_ptr<const arrangement::FeaturePairs> keptPairs(const Term& a, const 
 /// do not overlap
 std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress&);
 
+/// The facets that may bound the sum, by what they are made of as in `ArrangedSum::candidates`. Nothing where the shapes, on
+/// the grid, have triangles without area.
+struct SumFacet {
+  std::size_t family = 0;
+  std::vector<Vec3> corners;  ///< counter-clockwise from outside
+};
+std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, double step, const Progress&);
+
+/// The ends of the reflex edges of a solid.
+std::vector<Vec3> reflexCorners(const Term&, double step);
+
 }  // namespace blossom::morphology

@@ -64,6 +64,14 @@ int slope(const Normal3& n, const Bounded3& about, const Grid3& d) {
   return value.decided() ? signOf(value.value) : signOf(dot(n, d));
 }
 
+bool isReflex(const Features& solid, const Features::Edge& edge) {
+  if (edge.left == Features::none || edge.right == Features::none || edge.isConvex) return false;
+  const Features::Face &face = solid.faces[static_cast<std::size_t>(edge.left)],
+                       &other = solid.faces[static_cast<std::size_t>(edge.right)];
+  const auto at = [&](int corner) -> const Grid3& { return solid.points[static_cast<std::size_t>(corner)]; };
+  return slope(face.normal, face.about, at(opposite(other, edge.from, edge.to)) - at(edge.from)) > 0;
+}
+
 std::optional<Features> featuresOf(const Mesh& triangles, double factor, double step, bool insideOut) {
   Features made;
   made.points.reserve(triangles.points.size());

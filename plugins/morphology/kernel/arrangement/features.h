@@ -45,6 +45,9 @@ std::optional<Features> featuresOf(const Mesh& triangles, double factor, double 
 /// Of triangles (which have two faces each), segments or points.
 Features featuresOf(std::span<const std::vector<Vec3>> pieces, double factor, double step);
 
+/// Whether the faces of an edge turn towards each other there, to the inside of the solid less than to the outside.
+bool isReflex(const Features&, const Features::Edge&);
+
 /// The sign of n . d.
 int slope(const Normal3& n, const Bounded3& about, const Grid3& d);
 

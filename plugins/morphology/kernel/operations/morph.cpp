@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
+#include "geometry/mesh/mesh_topology.h"
 #include "kernel/morphology.h"
 #include "kernel/operations/pair.h"
 
@@ -12,7 +14,8 @@ namespace {
 /// The in-between solids of some solids. Two of them are paired once for all frames.
 class Morph {
  public:
-  Morph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights, const Progress& progress)
+  Morph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights, const MorphOptions& options,
+        const Progress& progress)
       : work_(progress) {
     for (const std::vector<double>& row : weights)
       for (const double weight : row)
@@ -28,6 +31,10 @@ class Morph {
     for (const Operand& shape : shapes) {
       const double from = share * static_cast<double>(shapes_.size());
       shapes_.push_back(work_.prepare(shape, grid_, from, from + share));
+      if (!options.volumePreserving) continue;
+      // Bodies that overlap count once.
+      shapes_.back() = work_.united(std::move(shapes_.back()), grid_, from, from + share);
+      volumes_.push_back(signedVolume(shapes_.back().triangles));
     }
   }
 
@@ -39,11 +46,16 @@ class Morph {
     Vec3 centre = Vec3::Zero();
     for (const Part& part : parts) centre += part.weight * shapes_[part.shape].centre;
     const double most = from + 0.9 * (to - from);
-    if (const auto prism = ofPrisms(parts, from, most)) return work_.finish(*prism, centre, most, to);
+    if (const auto prism = ofPrisms(parts, from, most)) {
+      if (volumes_.empty()) return work_.finish(*prism, centre, most, to);
+      work_.stats().way = Way::Prisms;
+      return work_.finish(blendedVolume(trianglesOf(*prism, work_.progress()), parts), centre, most, to);
+    }
     if (std::all_of(parts.begin(), parts.end(), [&](const Part& p) { return isConvex(shapes_[p.shape]); }))
-      return work_.finish(ofHulls(parts), centre, most, to);
-    const Sum sum = ofAny(parts, from, most);
-    work_.finish(sum.mesh, centre + sum.moved, most, to);
+      return work_.finish(blendedVolume(ofHulls(parts), parts), centre, most, to);
+    Sum sum = ofAny(parts, from, most);
+    for (Vec3& p : sum.mesh.points) p += sum.moved;
+    work_.finish(blendedVolume(std::move(sum.mesh), parts), centre, most, to);
   }
 
   MorphologyResult result() { return work_.result(); }
@@ -57,6 +69,20 @@ class Morph {
     Mesh mesh;
     Vec3 moved = Vec3::Zero();  ///< of its origin
   };
+
+  /// Scaled about the blend of the middles.
+  Mesh blendedVolume(Mesh mesh, const std::vector<Part>& parts) const {
+    if (volumes_.empty()) return mesh;
+    double wanted = 0;
+    Vec3 middle = Vec3::Zero();
+    for (const Part& part : parts) {
+      wanted += part.weight * volumes_[part.shape];
+      middle += part.weight * shapes_[part.shape].bounds.center();
+    }
+    const double factor = std::cbrt(wanted / signedVolume(mesh));
+    for (Vec3& p : mesh.points) p = middle + factor * (p - middle);
+    return mesh;
+  }
 
   /// Along the first axis along which all are prisms.
   std::optional<Prism> ofPrisms(const std::vector<Part>& parts, double from, double to) {
@@ -114,7 +140,8 @@ class Morph {
   Work work_;
   CommonGrid grid_;
   std::vector<Prepared> shapes_;
-  double leastWeight_ = 1;  ///< of all frames, above 0
+  std::vector<double> volumes_;  ///< of the shapes, where they are to be blended
+  double leastWeight_ = 1;       ///< of all frames, above 0
   std::optional<ConvexSums> convex_;
   std::shared_ptr<const arrangement::FeaturePairs> kept_;
   bool isPaired_ = false;
@@ -123,8 +150,8 @@ class Morph {
 }  // namespace
 
 MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
-                            const Progress& progress) {
-  Morph morph(shapes, weights, progress);
+                            const MorphOptions& options, const Progress& progress) {
+  Morph morph(shapes, weights, options, progress);
   const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
   double from = 0.1;
   for (const std::vector<double>& row : weights) {

@@ -50,6 +50,21 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   return work.result();
 }
 
+SumParts partsOfSum(const Operand& a, const Operand& b, const Progress& progress) {
+  Work work(progress);
+  const Pair pair = preparedPair(work, a, b);
+  const auto facets = sumFacets(termOf(pair.a), termOf(pair.b), pair.grid.step, progress);
+  if (!facets) refuseSmallFaces(a.name);
+  SumParts parts;
+  for (const SumFacet& facet : *facets) {
+    std::vector<Vec3>& placed = parts.facets.at(facet.family).emplace_back(facet.corners);
+    for (Vec3& p : placed) p += pair.a.centre + pair.b.centre;
+  }
+  for (const Prepared* each : {&pair.a, &pair.b})
+    for (const Vec3& p : reflexCorners(termOf(*each), pair.grid.step)) parts.reflex.emplace_back(p + each->centre);
+  return parts;
+}
+
 MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
   Work work(progress);

@@ -67,9 +67,7 @@ Mesh Work::sum(const Prepared& a, double weightA, const Prepared& b, double weig
 }
 
 Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
-  if (!made)
-    throw Error(ErrorCode::Degenerate, fmt::format("{} has faces that are too small beside the other shape.", operand.name),
-                "Leave out details that are too small for its size, or choose shapes of more similar size.");
+  if (!made) refuseSmallFaces(operand.name);
   stats_.way = Way::Arranged;
   for (std::size_t family = 0; family < made->candidates.size(); ++family) {
     stats_.candidates += made->candidates[family];
@@ -107,6 +105,11 @@ void requireSolid(const Operand& operand) {
   if (operand.form != Operand::Form::Body)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is not a solid: it has no volume.", operand.name),
                 "Extrude it first, or choose a solid or a closed mesh.");
+}
+
+void refuseSmallFaces(const std::string& name) {
+  throw Error(ErrorCode::Degenerate, fmt::format("{} has faces that are too small beside the other shape.", name),
+              "Leave out details that are too small for its size, or choose shapes of more similar size.");
 }
 
 void refuseTurnedShell(const Prepared& operand) {

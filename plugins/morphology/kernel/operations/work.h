@@ -58,6 +58,9 @@ class Work {
 /// @throws Error InvalidInput for an operand that has no volume.
 void requireSolid(const Operand&);
 
+/// @throws Error Degenerate that names the operand.
+[[noreturn]] void refuseSmallFaces(const std::string& name);
+
 /// A shell that looks inwards and crosses another one encloses everything: nothing outside is left.
 /// @throws Error InvalidInput that names the operand.
 [[noreturn]] void refuseTurnedShell(const Prepared&);

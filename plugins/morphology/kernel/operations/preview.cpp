@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/shape/bounds.h"
+#include "kernel/morphology.h"
+#include "kernel/operations/work.h"
+#include "kernel/preview/field_sum.h"
+#include "kernel/solid_check.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+/// An operand with its weight, about its own middle.
+struct WeightedShape {
+  Mesh triangles;
+  std::vector<std::vector<Vec3>> pieces;
+  double weight = 1;
+  Vec3 middle = Vec3::Zero();
+};
+
+WeightedShape centred(const Operand& operand, double weight) {
+  if (operand.form == Operand::Form::Body) refuseUnusable(operand.mesh, {operand.name});
+  WeightedShape shape{triangulated(operand.mesh).first, operand.pieces, weight, operand.bounds().center()};
+  for (Vec3& p : shape.triangles.points) p -= shape.middle;
+  for (auto& piece : shape.pieces)
+    for (Vec3& p : piece) p -= shape.middle;
+  return shape;
+}
+
+}  // namespace
+
+MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vector<double>& weights, int cells,
+                              const Progress& progress) {
+  std::vector<WeightedShape> terms;
+  Vec3 middle = Vec3::Zero();
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    if (!(weights[k] > 0)) continue;
+    terms.push_back(centred(shapes[k], weights[k]));
+    middle += weights[k] * terms.back().middle;
+  }
+  const auto solid = std::find_if(terms.begin(), terms.end(), [](const auto& t) { return t.triangles.faceCount() > 0; });
+  if (solid == terms.end()) requireSolid(shapes.front());
+  std::iter_swap(terms.begin(), solid);
+  Mesh made = terms.front().triangles;
+  for (Vec3& p : made.points) p *= terms.front().weight;
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(terms.size() - 1), from = share * static_cast<double>(k - 1);
+    made = triangulated(fieldSum({made, {}, 1}, {terms[k].triangles, terms[k].pieces, terms[k].weight}, cells,
+                                 progress.part(from, from + share)))
+               .first;
+  }
+  const double cell = (bounds(made).high - bounds(made).low).maxCoeff() / cells;
+  for (Vec3& p : made.points) p += middle;
+  MorphologyResult result{{std::move(made)}, {}, {}};
+  result.stats.way = Way::Field;
+  result.warnings.push_back(fmt::format("This is a preview of {} cells: it is off by about {:.2g} mm.", cells, cell));
+  return result;
+}
+
+}  // namespace blossom::morphology

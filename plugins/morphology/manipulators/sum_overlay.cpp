@@ -1,0 +1,142 @@
+#include "manipulators/sum_overlay.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <Eigen/Geometry>
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/shape/bounds.h"
+#include "ui/tools/view_props.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+using Outline = std::vector<Vec3>;
+using Outlines = std::vector<Outline>;
+
+constexpr std::size_t mostOutlines = 4000;  // more lines than that hide the shape
+constexpr double dashesOfSize = 80;         // along the diagonal of the sum
+constexpr double reflexPixels = 8;
+
+Outline outlineOf(const Value& points) {
+  Outline outline;
+  for (const Value& p : points) outline.emplace_back(p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>());
+  return outline;
+}
+
+Outlines outlinesOf(const Value& facets) {
+  Outlines outlines;
+  for (const Value& facet : facets) outlines.push_back(outlineOf(facet));
+  return outlines;
+}
+
+/// Lit polygons that lie on the faces of the sum, a little nearer than these; those inside of it are hidden by it.
+/// @param layer of facets in one plane those of the highest layer are seen
+ui::PropPtr facetsProp(const Outlines& facets, const Color& color, int layer) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const Outline& facet : facets) {
+    cells->InsertNextCell(static_cast<int>(facet.size()));
+    for (const Vec3& p : facet) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1 - layer, -8 * (1 + layer));
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty& property = *actor->GetProperty();
+  property.SetColor(color.red, color.green, color.blue);
+  property.SetInterpolationToFlat();
+  property.BackfaceCullingOn();
+  actor->PickableOff();
+  return actor;
+}
+
+void addDashes(const Vec3& from, const Vec3& to, double step, std::vector<std::vector<Vec3>>& dashes) {
+  const double length = (to - from).norm();
+  const Vec3 along = length > 0 ? Vec3((to - from) / length) : Vec3::Zero();
+  for (double at = 0; at < length; at += step)
+    dashes.push_back({from + at * along, from + std::min(at + step / 2, length) * along});
+}
+
+class SumOverlay {
+  Q_DECLARE_TR_FUNCTIONS(blossom::morphology::SumOverlay)
+
+ public:
+  SumOverlay(const ui::OverlayContext& context, const Value& parts) : context_(context), parts_(parts) {}
+
+  std::vector<ui::PropPtr> props(bool outlines) && {
+    const Value& facets = parts_.at("facets");
+    const Look& look = context_.look;
+    constexpr Color third{0.45, 0.65, 0.35};
+    // Where they cover each other, the smallest ones are seen.
+    addFamily(outlinesOf(facets.at("edges")), third, tr("edge + edge"));
+    addFamily(outlinesOf(facets.at("face_and_corner")), look.made, tr("face + corner"));
+    addFamily(outlinesOf(facets.at("corner_and_face")), look.control, tr("corner + face"));
+    if (outlines) addOutlines();
+    const Outline reflex = outlineOf(parts_.at("reflex"));
+    if (!reflex.empty()) props_.push_back(ui::pointsProp(reflex, look.fault, reflexPixels * context_.pixelRatio));
+    return std::move(props_);
+  }
+
+ private:
+  void addFamily(const Outlines& facets, const Color& color, const QString& name) {
+    if (facets.empty()) return;
+    props_.push_back(facetsProp(facets, color, layer_++));
+    const ui::LabelLook look = ui::labelLook(context_.look, color, context_.pixelRatio);
+    props_.push_back(ui::labelProp(name, placeOfName(facets), look));
+    for (const Outline& facet : facets) {
+      all_.push_back(facet);
+      for (const Vec3& p : facet) bounds_.add(p);
+    }
+  }
+  /// The middle of the facet that lies highest: it bounds the sum.
+  static Vec3 placeOfName(const Outlines& facets) {
+    Vec3 highest = Vec3::Constant(-HUGE_VAL);
+    for (const Outline& facet : facets) {
+      Vec3 middle = Vec3::Zero();
+      for (const Vec3& p : facet) middle += p / static_cast<double>(facet.size());
+      if (middle.z() > highest.z()) highest = middle;
+    }
+    return highest;
+  }
+  void addOutlines() {
+    std::vector<std::vector<Vec3>> dashes;
+    const double step = bounds_.diagonal() / dashesOfSize;
+    for (std::size_t k = 0; k < std::min(all_.size(), mostOutlines); ++k)
+      for (std::size_t i = 0; i < all_[k].size(); ++i)
+        addDashes(all_[k][i], all_[k][(i + 1) % all_[k].size()], step, dashes);
+    props_.push_back(ui::linesProp(dashes, context_.look.edge, context_.pixelRatio));
+  }
+
+  const ui::OverlayContext& context_;
+  const Value& parts_;
+  int layer_ = 0;
+  Outlines all_;
+  Bounds bounds_;
+  std::vector<ui::PropPtr> props_;
+};
+
+}  // namespace
+
+std::vector<vtkSmartPointer<vtkProp>> sumOverlay(const ui::OverlayContext& context) {
+  const auto parts = context.stats.find("parts");
+  const Value shown = context.feature.parameters.value("facets", Value("none"));
+  if (parts == context.stats.end() || shown == "none") return {};
+  return SumOverlay(context, *parts).props(shown == "outlines");
+}
+
+}  // namespace blossom::morphology

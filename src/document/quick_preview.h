@@ -1,0 +1,19 @@
+#pragma once
+#include <optional>
+
+#include "document/document.h"
+#include "feature/registry.h"
+
+namespace blossom {
+
+/// The document with previews in place of what takes long.
+struct QuickPreview {
+  Document document;
+  FeatureId last;  ///< of the features that are previews in it, the one that comes last
+};
+
+/// What is made of a feature, itself included, as previews: where its type has a parameter "preview", a number of cells
+/// with 0 for none, and the feature has none. Nothing when there is no such feature. O(features).
+std::optional<QuickPreview> quickPreview(const Document&, const Registry&, const FeatureId& changed);
+
+}  // namespace blossom

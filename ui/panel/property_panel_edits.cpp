@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "document/edits.h"
+#include "document/evaluation/quick_preview.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
-#include "document/quick_preview.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/registry_text.h"
 #include "ui/look/text.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "document/quick_preview.h"
+#include "document/evaluation/quick_preview.h"
 #include "feature/registry.h"
 
 namespace blossom::ui {

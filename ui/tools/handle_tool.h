@@ -42,7 +42,7 @@ class HandleTool : public Tool {
 
   /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled. Where that takes
   /// longer than the frame budget, what `coarser` makes of the document is computed in its place until the hand rests; where
-  /// there is none, what is made of the feature is previewed where it can be (document/quick_preview.h).
+  /// there is none, what is made of the feature is previewed where it can be (document/evaluation/quick_preview.h).
   void preview(Document, const DragDetail::Coarser& coarser = {});
   /// Takes it back where nothing is held: what a card over the view previews.
   void endPreview();

@@ -18,6 +18,7 @@
 #include "kernel/manifold.h"
 #include "kernel/plane_triangles.h"
 #include "kernel/self_crossing.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
 
@@ -125,8 +126,11 @@ class Attempts {
     if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
     Mesh there = movedFrom(mesh, centre_);
     if (!everyEdgeHasLength(there)) return std::nullopt;
-    crossing_ = firstCrossing(there, progress_);
-    if (crossing_ || firstTwistedEdge(there, progress_)) return std::nullopt;
+    std::optional<TwistedEdge> twisted;
+    sideBySide(
+        progress_, [&] { crossing_ = firstCrossing(there, progress_); },
+        [&] { twisted = firstTwistedEdge(there, progress_); });
+    if (crossing_ || twisted) return std::nullopt;
     return there;
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/numeric/box_tree.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology::arrangement {
 
@@ -187,8 +188,14 @@ class NearBoxes {
 FeaturePairs nearPairs(const Features& a, const Features& b, double rounding, const Progress& progress) {
   const OnSphere first(a, rounding), second(b, rounding);
   const NearBoxes near(progress);
-  return {near.of(first.faces(), second.corners()), near.of(first.corners(), second.faces()),
-          near.of(first.edges(), second.edges())};
+  FeaturePairs pairs;
+  sideBySide(
+      progress, [&] { pairs.edges = near.of(first.edges(), second.edges()); },
+      [&] {
+        pairs.facesAndCorners = near.of(first.faces(), second.corners());
+        pairs.cornersAndFaces = near.of(first.corners(), second.faces());
+      });
+  return pairs;
 }
 
 }  // namespace blossom::morphology::arrangement

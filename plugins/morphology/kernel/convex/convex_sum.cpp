@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 
 #include "kernel/convex/normal_cones.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
 
@@ -61,10 +63,13 @@ class Walk {
 }  // namespace
 
 std::vector<std::array<int, 2>> cornersOfSum(const Mesh& a, const Mesh& b, const Progress& progress) {
-  const NormalCones first(a), second(b);
+  std::optional<NormalCones> first, second;
+  sideBySide(
+      progress, [&] { first.emplace(a); }, [&] { second.emplace(b); });
   Pairs pairs, turned;
-  Walk(first, second).collect(pairs, progress);
-  Walk(second, first).collect(turned, progress);
+  sideBySide(
+      progress, [&] { Walk(*first, *second).collect(pairs, progress); },
+      [&] { Walk(*second, *first).collect(turned, progress); });
   for (const auto& [ofSecond, ofFirst] : turned) pairs.push_back({ofFirst, ofSecond});
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -1,5 +1,7 @@
 #include "kernel/operations/pair.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "kernel/convex/convex_sum.h"
 #include "kernel/convex/hull.h"
@@ -8,9 +10,8 @@ namespace blossom::morphology {
 
 Pair preparedPair(Work& work, const Operand& a, const Operand& b) {
   const CommonGrid grid = gridFor(a.bounds(), b.bounds());
-  Pair pair{grid, work.prepare(a, grid, 0, 0.05), {}};
-  pair.b = work.prepare(b, grid, 0.05, 0.1);
-  return pair;
+  auto [first, second] = work.prepareBoth(a, b, grid, 0, 0.1);
+  return {grid, std::move(first), std::move(second)};
 }
 
 std::optional<PrismPair> asPrisms(const Prepared& first, const Prepared& second) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "kernel/self_crossing.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
 
@@ -30,6 +31,19 @@ Prepared Work::prepare(const Operand& operand, const CommonGrid& grid, double fr
   Prepared made = prepared(operand, grid, progress_.part(from, to));
   stats_.checkMs += watch.lapMs();
   warnings_.insert(warnings_.end(), made.warnings.begin(), made.warnings.end());
+  return made;
+}
+
+std::pair<Prepared, Prepared> Work::prepareBoth(const Operand& a, const Operand& b, const CommonGrid& grid, double from,
+                                                double to) {
+  Stopwatch watch;
+  std::pair<Prepared, Prepared> made;
+  sideBySide(
+      progress_, [&] { made.first = prepared(a, grid, progress_.part(from, to)); },
+      [&] { made.second = prepared(b, grid, progress_.part(from, to)); });
+  stats_.checkMs += watch.lapMs();
+  for (const Prepared* each : {&made.first, &made.second})
+    warnings_.insert(warnings_.end(), each->warnings.begin(), each->warnings.end());
   return made;
 }
 

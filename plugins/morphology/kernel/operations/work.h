@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -19,6 +20,8 @@ class Work {
   explicit Work(const Progress& progress) : progress_(progress) {}
 
   [[nodiscard]] Prepared prepare(const Operand&, const CommonGrid&, double from, double to);
+  [[nodiscard]] std::pair<Prepared, Prepared> prepareBoth(const Operand&, const Operand&, const CommonGrid&, double from,
+                                                          double to);
   /// A result as an operand, rounded as if it came from a file.
   [[nodiscard]] Prepared asOperand(const Mesh& triangles, const std::string& name, const CommonGrid&, double from,
                                    double to);

@@ -1,4 +1,4 @@
-#include "document/quick_preview.h"
+#include "document/evaluation/quick_preview.h"
 
 #include <algorithm>
 #include <set>

@@ -63,9 +63,11 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
   std::vector<std::vector<double>> weights;
   for (const double t : controlled(p.control, p.curve, times))
     weights.push_back(weightsAt(p.blossom.empty() ? std::vector<double>(solids.size() - 1, t) : p.blossom));
-  if (p.preview > 0 && p.frames == 0) return evaluatedFrom(previewOfSum(solids, weights.front(), p.preview, progress));
-  Evaluated out = evaluatedFrom(solidMorph(solids, weights, {.volumePreserving = p.volumePreserving}, progress),
-                                p.frames > 0 ? times : std::vector<double>());
+  const MorphOptions options{.volumePreserving = p.volumePreserving};
+  if (p.preview > 0 && p.frames == 0)
+    return evaluatedFrom(previewOfSum(solids, weights.front(), p.preview, options, progress));
+  Evaluated out =
+      evaluatedFrom(solidMorph(solids, weights, options, progress), p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = p.frames > 0 ? Value(weights) : Value(weights.front());
   return out;
 }

@@ -48,7 +48,8 @@ void tellParts(const SumParts& parts, Value& stats) {
 Evaluated summed(const ShownSumParameters& p, const Inputs& inputs, const Progress& progress) {
   if (p.preview > 0) {
     const auto previewed = [&](const Operand& a, const Operand& b, const Progress& part) {
-      return previewOfSum({a, b}, {1, 1}, p.preview, part);
+      const bool anySolid = a.form == Operand::Form::Body || b.form == Operand::Form::Body;
+      return anySolid ? previewOfSum({a, b}, {1, 1}, p.preview, {}, part) : solidSum(a, b, part);
     };
     return combined(previewed, false, {p.deviation}, inputs, progress);
   }

@@ -26,6 +26,21 @@ class ModelingMeshTest : public QObject {
     COMPARE_NEAR(volume(solid), 4 * 3 * 2, 1e-9);
   }
 
+  /// As OBJ and PLY often have it: each face has corners of its own.
+  void cornersMayBeWrittenForEachFace() {
+    const Mesh cube = cuboid({0, 0, 0}, {2, 2, 2});
+    Mesh apart;
+    for (std::size_t f = 0; f < cube.faceCount(); ++f) {
+      std::vector<int> face;
+      for (const int v : cube.face(f)) {
+        face.push_back(static_cast<int>(apart.points.size()));
+        apart.points.push_back(cube.points[static_cast<std::size_t>(v)]);
+      }
+      apart.addFace(face);
+    }
+    COMPARE_NEAR(volume(made("mesh-solid", {}, {apart})), 8, 1e-9);
+  }
+
   void anySolidKeepsItsVolume() {
     std::mt19937_64 random = seededRandom();
     for (int round = 0; round < 8; ++round) {

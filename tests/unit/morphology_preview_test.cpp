@@ -44,6 +44,21 @@ class MorphologyPreviewTest : public QObject {
       }
   }
 
+  /// A plate thinner than a cell, a solid inside out, and volumes that are kept.
+  void thinAndTurnedSolids() {
+    const Mesh plate = cuboid({0, 0, 0}, {100, 60, 2}), ball_ = ballOf(2, 2), exact = solidSumOf(plate, ball_);
+    for (const bool swapped : {false, true}) {
+      const Mesh made =
+          swapped ? previewOf(bodyOf(ball_), bodyOf(plate), 1, 1, 32) : previewOf(bodyOf(plate), bodyOf(ball_), 1, 1, 32);
+      QVERIFY2(volumeOf(made) > 0.5 * volumeOf(exact), qPrintable(QString::number(volumeOf(made))));
+    }
+    const Mesh block = lBlock();
+    COMPARE_NEAR(volumeOf(previewOf(bodyOf(insideOut(block)), bodyOf(ball_), 1, 1, 32)),
+                 volumeOf(previewOf(bodyOf(block), bodyOf(ball_), 1, 1, 32)), 0.01);
+    const MorphologyResult kept = previewOfSum({bodyOf(block), bodyOf(ball_)}, {0.4, 0.6}, 32, {.volumePreserving = true});
+    COMPARE_NEAR(volumeOf(kept.solids.front()), 0.4 * volumeOf(block) + 0.6 * volumeOf(ball_), 1e-6);
+  }
+
   void finerGridsAreNearer() {
     const Mesh a = ballOf(2, 2), b = lBlock(), exact = solidSumOf(a, b);
     double before = HUGE_VAL;

@@ -7,28 +7,28 @@ using namespace blossom::test;
 
 namespace {
 
-struct GridParameters {
+struct PreviewedParameters {
   int preview = 0;
 };
 
-FeatureType slowType(const char* id) {
-  return feature<GridParameters>(id, "Slow", "Takes long.")
+FeatureType previewedType(const char* id) {
+  return feature<PreviewedParameters>(id, "Slow", "Takes long.")
       .produces({ShapeKind::Mesh})
-      .input({.name = "shape", .help = "Any.", .minimum = 0, .maximum = anyNumber})
-      .parameter("preview", &GridParameters::preview, count(0, 100), "Cells; 0: none.")
-      .evaluate([](const GridParameters&, const Inputs&, const Progress&) { return Evaluated{}; });
+      .input({.name = "shape", .help = "Any.", .kinds = {}, .minimum = 0, .maximum = anyNumber})
+      .parameter("preview", &PreviewedParameters::preview, count(0, 100), "Cells; 0: none.")
+      .evaluate([](const PreviewedParameters&, const Inputs&, const Progress&) { return Evaluated{}; });
 }
 
-struct NoParameters {};
+struct UnpreviewedParameters {};
 
-FeatureType quickType() {
-  return feature<NoParameters>("test.quick", "Quick", "Takes no time.")
+FeatureType unpreviewedType() {
+  return feature<UnpreviewedParameters>("test.quick", "Quick", "Takes no time.")
       .produces({ShapeKind::Mesh})
-      .input({.name = "shape", .help = "Any.", .minimum = 0, .maximum = anyNumber})
-      .evaluate([](const NoParameters&, const Inputs&, const Progress&) { return Evaluated{}; });
+      .input({.name = "shape", .help = "Any.", .kinds = {}, .minimum = 0, .maximum = anyNumber})
+      .evaluate([](const UnpreviewedParameters&, const Inputs&, const Progress&) { return Evaluated{}; });
 }
 
-Feature made(const char* id, const char* type, std::vector<FeatureId> inputs) {
+Feature previewFeature(const char* id, const char* type, std::vector<FeatureId> inputs) {
   Feature feature;
   feature.id = id;
   feature.type = type;
@@ -44,11 +44,12 @@ class QuickPreviewTest : public QObject {
  private slots:
   void whatIsMadeOfTheFeatureIsPreviewed() {
     Registry registry;
-    registry.addAll(slowType("test.slow"), quickType());
+    registry.addAll(previewedType("test.slow"), unpreviewedType());
     Document document;
-    for (Feature& each : std::vector<Feature>{made("a", "test.quick", {}), made("b", "test.quick", {}),
-                                              made("sum", "test.slow", {"a"}), made("cut", "test.quick", {"sum"}),
-                                              made("more", "test.slow", {"cut", "b"}), made("other", "test.slow", {"b"})})
+    for (Feature& each : std::vector<Feature>{
+             previewFeature("a", "test.quick", {}), previewFeature("b", "test.quick", {}),
+             previewFeature("sum", "test.slow", {"a"}), previewFeature("cut", "test.quick", {"sum"}),
+             previewFeature("more", "test.slow", {"cut", "b"}), previewFeature("other", "test.slow", {"b"})})
       document = document.with(std::move(each));
     Feature chosen = document.at("other");
     chosen.parameters["preview"] = 12;

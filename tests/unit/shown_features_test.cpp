@@ -11,6 +11,7 @@
 #include "support/support.h"
 
 using namespace blossom;
+using namespace blossom::test;
 
 namespace {
 

@@ -162,6 +162,7 @@ void PropertyPanel::rebuild() {
   inputs_.clear();
   header_ = nullptr;
   endPreviews();
+  isSlow_ = false;
   faulty_ = nullptr;
   QWidget* const before = std::exchange(form_, new QWidget(widget()));
   column_ = new QVBoxLayout(form_);

@@ -20,6 +20,8 @@ namespace blossom::ui {
 
 namespace {
 
+constexpr int patience = 120;  // ms; what takes longer is previewed on a grid where it can be
+
 bool namesFiles(const ParameterSpec& spec, const Value& value) {
   if (value.is_null()) return false;
   if (spec.kind == ParameterKind::File) return value.value("asset", std::string()).empty();
@@ -82,15 +84,16 @@ void PropertyPanel::preview(ParameterField* field, const Value& value) {
 // Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
 // slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
-  if (session_.evaluating()) return;
-  constexpr qint64 patience = 120;  // ms; what takes longer is previewed on a grid where it can be
-  if (std::exchange(sentWhole_, false)) isSlow_ = sent_.elapsed() > patience;
-  if (!waiting_ || !previewed_) return;
-  const Value value = std::move(*waiting_);
-  waiting_.reset();
-  Document document = session_.document().with(changed(previewed_->spec().name, value));
+  const bool busy = session_.evaluating();
+  if (sentWhole_) isSlow_ = sent_.elapsed() > patience;  // has taken, or is taking
+  if (!busy) sentWhole_ = false;
+  if (!waiting_ || !previewed_ || (busy && !(sentWhole_ && isSlow_))) return;
+  Document document = session_.document().with(changed(previewed_->spec().name, *waiting_));
   auto quick = isSlow_ ? quickPreview(document, *session_.app().registry, shown_) : std::nullopt;
+  if (busy && !quick) return;
+  waiting_.reset();
   if (!quick) return sendWhole(std::move(document));
+  sentWhole_ = false;
   rest_.start();
   session_.preview(std::move(document), std::move(quick->document));
 }
@@ -99,6 +102,7 @@ void PropertyPanel::sendWhole(Document document) {
   rest_.stop();
   sentWhole_ = true;
   sent_.start();
+  QTimer::singleShot(patience + 1, this, &PropertyPanel::sendPreview);  // what waits meanwhile need not wait for all of it
   session_.preview(std::move(document));
 }
 

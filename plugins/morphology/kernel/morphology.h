@@ -79,7 +79,7 @@ MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vecto
 /// About what the sum of `weights[k] * shapes[k]` is, for pictures while something is dragged: on a grid of so many cells
 /// along its longest side, as the warning says. At least one shape is a solid, which is not checked for faults.
 MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vector<double>& weights, int cells,
-                              const Progress& = Progress::none());
+                              const MorphOptions& = {}, const Progress& = Progress::none());
 
 /// What a solid is grown or melted by.
 struct GrowOptions {

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "core/error.h"
@@ -135,36 +136,46 @@ double volumeOf(const Mesh& triangles, const MeshTopology& topology, int compone
   return signedVolume(shellOf(triangles, topology, component));
 }
 
-/// Whether the two sides of a shell on a grid are nearer to each other than a step, on average over its area. In whole
+/// Whether the two sides of each shell on a grid are nearer to each other than a step, on average over its area. In whole
 /// numbers: doubles would not know what is left of the volume.
-bool isThinnerThan(double step, const Mesh& shell) {
+std::vector<bool> shellsThinnerThan(double step, const Mesh& mesh, const MeshTopology& topology) {
   using namespace arrangement;
-  std::vector<Grid3> points;
-  for (const Vec3& p : shell.points)
-    points.push_back({std::llround(p[0] / step), std::llround(p[1] / step), std::llround(p[2] / step)});
-  Whole sixVolumes = 0;
-  double twoAreas = 0;
-  for (std::size_t f = 0; f < shell.faceCount(); ++f) {
-    const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(shell.face(f)[k])]; };
-    const Normal3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
-    sixVolumes += dot(normal, corner(0));
-    twoAreas += Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
+  struct Sums {
+    std::optional<Grid3> corner;  ///< from which volumes are seen
+    Whole sixVolumes = 0;
+    double twoAreas = 0;
+  };
+  std::vector<Sums> sums(topology.components.size());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    Sums& shell = sums[static_cast<std::size_t>(topology.componentOfFace[f])];
+    const auto corner = [&](std::size_t k) {
+      const Vec3& p = mesh.points[static_cast<std::size_t>(mesh.face(f)[k])];
+      return Grid3{std::llround(p[0] / step), std::llround(p[1] / step), std::llround(p[2] / step)};
+    };
+    const Grid3 first = corner(0);
+    if (!shell.corner) shell.corner = first;
+    const Normal3 normal = cross(corner(1) - first, corner(2) - first);
+    shell.sixVolumes += dot(normal, first - *shell.corner);
+    shell.twoAreas +=
+        Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
   }
-  return 2 * std::abs(sixVolumes.convert_to<double>()) / 6 < twoAreas / 2;
+  std::vector<bool> isThin;
+  for (const Sums& shell : sums)
+    isThin.push_back(2 * std::abs(shell.sixVolumes.convert_to<double>()) / 6 < shell.twoAreas / 2);
+  return isThin;
 }
 
 /// Without shells that rounding may have turned inside out.
-Mesh withoutSlivers(const Mesh& triangles, double step) {
-  const MeshTopology topology = meshTopology(triangles);
+Mesh withoutSlivers(Mesh triangles, double step, const Progress& progress) {
+  const MeshTopology topology = meshTopology(triangles, progress);
   if (!(step > 0) || topology.components.size() < 2) return triangles;
-  std::vector<bool> isThin(topology.components.size());
-  for (std::size_t c = 0; c < isThin.size(); ++c)
-    isThin[c] = isThinnerThan(step, shellOf(triangles, topology, static_cast<int>(c)));
+  const std::vector<bool> isThin = shellsThinnerThan(step, triangles, topology);
+  if (std::none_of(isThin.begin(), isThin.end(), [](bool thin) { return thin; })) return triangles;
   Mesh result;
   result.points = triangles.points;
   for (std::size_t f = 0; f < triangles.faceCount(); ++f)
     if (!isThin[static_cast<std::size_t>(topology.componentOfFace[f])]) result.addFace(triangles.face(f));
-  return manifoldOf(result);
+  return manifoldOf(result, progress);
 }
 
 Mesh reversed(const Mesh& mesh) {
@@ -222,7 +233,7 @@ CheckedSolid checkedSolid(const Mesh& mesh, double step, const Subject& subject,
   if (outer.faceCount() == 0) throw enclosesNothing(subject);
   refuseOpen(outer, meshTopology(outer, progress), subject);
   CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};
-  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step);
+  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step, progress);
   const double size = bounds(solid.triangles).diagonal();
   if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size) throw enclosesNothing(subject);
   turnOutwards(solid, subject);

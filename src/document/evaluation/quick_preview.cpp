@@ -13,6 +13,8 @@ constexpr int cells = 32;
 bool canBePreviewed(const Feature& feature, const Registry& registry) {
   const auto type = registry.find(feature.type);
   if (!type || feature.suppressed || feature.parameters.value(parameter, Value(0)) != 0) return false;
+  const Value frames = feature.parameters.value(type->playedBy.parameter, Value(0));
+  if (frames.is_number() && frames.get<double>() > 0) return false;  // a sequence is not previewed
   return std::any_of(type->parameters.begin(), type->parameters.end(),
                      [](const ParameterSpec& spec) { return spec.name == parameter && spec.kind == ParameterKind::Count; });
 }

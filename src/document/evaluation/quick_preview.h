@@ -13,7 +13,7 @@ struct QuickPreview {
 };
 
 /// What is made of a feature, itself included, as previews: where its type has a parameter "preview", a number of cells
-/// with 0 for none, and the feature has none. Nothing when there is no such feature. O(features).
+/// with 0 for none, and the feature has none and makes no sequence. Nothing when there is no such feature. O(features).
 std::optional<QuickPreview> quickPreview(const Document&, const Registry&, const FeatureId& changed);
 
 }  // namespace blossom

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Precision.hxx>
+
 #include "core/error.h"
 #include "core/place_text.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
 #include "geometry/occt/joined_faces.h"
 #include "geometry/occt/occt.h"
 #include "kernel/parts/finished_solid.h"
@@ -15,6 +18,14 @@ namespace blossom::modeling {
 namespace {
 
 constexpr std::size_t mostFaces = 20'000;
+
+/// Corners at one place as one: most formats write them once for each face.
+Mesh withSharedCorners(const Mesh& mesh) {
+  const std::vector<int> first = mergeClosePoints(mesh.points, Precision::Confusion());
+  Mesh shared = mesh;
+  for (int& v : shared.faceVertices) v = first[static_cast<std::size_t>(v)];
+  return shared;
+}
 
 void refuseOpen(const Mesh& mesh, const MeshTopology& topology) {
   for (const MeshEdge& edge : topology.edges) {
@@ -36,7 +47,8 @@ TopoDS_Shape solidOfMesh(const Mesh& mesh, const Progress& progress) {
                 fmt::format("A mesh of {} faces is too large for a solid of planar faces; the limit is {}.",
                             mesh.faceCount(), mostFaces),
                 "Simplify it first, or use it where meshes are taken.");
-  refuseOpen(mesh, meshTopology(mesh, progress));
+  const Mesh shared = withSharedCorners(mesh);
+  refuseOpen(shared, meshTopology(shared, progress));
   const Complaint complaint{"The mesh bounds no valid solid.",
                             "It may cross itself: repair it in the program that made it."};
   return guarded(complaint.message, complaint.hint, [&] {

@@ -1,6 +1,7 @@
 #include "kernel/arrangement/candidates.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace blossom::morphology::arrangement {
 
@@ -8,23 +9,22 @@ namespace {
 
 Normal3 negated(const Normal3& n) { return {-n[0], -n[1], -n[2]}; }
 
-/// Sums of corners, each made once.
+/// Sums of corners, each made once. Few of all pairs of corners of large shapes make any.
 class Sums {
  public:
-  Sums(const Features& a, const Features& b, Points& points)
-      : a_(a), b_(b), points_(points), made_(a.points.size() * b.points.size(), -1) {}
+  Sums(const Features& a, const Features& b, Points& points) : a_(a), b_(b), points_(points) {}
 
   int at(int cornerOfA, int cornerOfB) {
     const auto i = static_cast<std::size_t>(cornerOfA), j = static_cast<std::size_t>(cornerOfB);
-    int& made = made_[i * b_.points.size() + j];
-    if (made < 0) made = points_.at(a_.points[i] + b_.points[j]);
-    return made;
+    const auto [it, fresh] = made_.try_emplace(i * b_.points.size() + j, 0);
+    if (fresh) it->second = points_.at(a_.points[i] + b_.points[j]);
+    return it->second;
   }
 
  private:
   const Features &a_, &b_;
   Points& points_;
-  std::vector<int> made_;
+  std::unordered_map<std::size_t, int> made_;
 };
 
 class Search {

@@ -104,19 +104,6 @@ class PairOfFacets {
 
 using FacetPair = std::pair<std::size_t, std::size_t>;
 
-/// Those whose boxes meet.
-std::vector<FacetPair> nearFacets(const std::vector<Facet>& facets, const Points& points, const Progress& progress) {
-  std::vector<Box3> boxes;
-  boxes.reserve(facets.size());
-  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
-  std::vector<FacetPair> pairs;
-  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
-    pairs.emplace_back(i, j);
-    return true;
-  });
-  return pairs;
-}
-
 /// A part of the work that is done beside others, always of the same size: what it finds does not depend on threads.
 struct Part {
   std::unique_ptr<Points> points;
@@ -142,11 +129,10 @@ Part meetingsOf(std::span<const FacetPair> pairs, const std::vector<Facet>& face
   return part;
 }
 
-}  // namespace
+constexpr std::size_t pairsAtATime = 256 * pairsOfPart;  // there may be many more than meet
 
-std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& planes, Points& points,
-                              const Progress& progress) {
-  const std::vector<FacetPair> pairs = nearFacets(facets, points, progress);
+void addMeetings(const std::vector<FacetPair>& pairs, const std::vector<Facet>& facets, const Planes& planes, Points& points,
+                 std::vector<Meeting>& found, const Progress& progress) {
   std::vector<Part> parts((pairs.size() + pairsOfPart - 1) / pairsOfPart);
   parallelFor(parts.size(), 1, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
@@ -154,16 +140,37 @@ std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& pl
       parts[k] = meetingsOf({pairs.data() + from, count}, facets, planes, points, progress);
     }
   });
-  std::vector<Meeting> found;
   const auto samePlane = [](int plane) { return plane; };
   for (Part& part : parts) {
+    progress.check();
     points.takeNotes(*part.points, static_cast<int>(planes.size()));
     for (Meeting meeting : part.found) {
       meeting.from = points.take(*part.points, meeting.from, samePlane);
       meeting.to = points.take(*part.points, meeting.to, samePlane);
       found.push_back(meeting);
     }
+    part = {};
   }
+}
+
+}  // namespace
+
+std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& planes, Points& points,
+                              const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(facets.size());
+  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
+  std::vector<Meeting> found;
+  std::vector<FacetPair> pairs;
+  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
+    pairs.emplace_back(i, j);
+    if (pairs.size() == pairsAtATime) {
+      addMeetings(pairs, facets, planes, points, found, progress);
+      pairs.clear();
+    }
+    return true;
+  });
+  addMeetings(pairs, facets, planes, points, found, progress);
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -28,6 +29,9 @@ WeightedShape centred(const Operand& operand, double weight) {
   if (operand.form == Operand::Form::Body) refuseUnusable(operand.mesh, {operand.name});
   WeightedShape shape{triangulated(operand.mesh).first, operand.pieces, weight, operand.bounds().center()};
   for (Vec3& p : shape.triangles.points) p -= shape.middle;
+  if (signedVolume(shape.triangles) < 0)  // inside out
+    for (std::size_t f = 0; f < shape.triangles.faceCount(); ++f)
+      std::swap(shape.triangles.faceVertices[3 * f], shape.triangles.faceVertices[3 * f + 1]);
   for (auto& piece : shape.pieces)
     for (Vec3& p : piece) p -= shape.middle;
   return shape;
@@ -36,16 +40,19 @@ WeightedShape centred(const Operand& operand, double weight) {
 }  // namespace
 
 MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vector<double>& weights, int cells,
-                              const Progress& progress) {
+                              const MorphOptions& options, const Progress& progress) {
   std::vector<WeightedShape> terms;
   Vec3 middle = Vec3::Zero();
+  double volume = 0;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     if (!(weights[k] > 0)) continue;
     terms.push_back(centred(shapes[k], weights[k]));
     middle += weights[k] * terms.back().middle;
+    volume += weights[k] * signedVolume(terms.back().triangles);
   }
   const auto solid = std::find_if(terms.begin(), terms.end(), [](const auto& t) { return t.triangles.faceCount() > 0; });
-  if (solid == terms.end()) requireSolid(shapes.front());
+  if (solid == terms.end())
+    throw Error(ErrorCode::InvalidInput, "None of the shapes is a solid.", "Choose a solid or a closed mesh.");
   std::iter_swap(terms.begin(), solid);
   Mesh made = terms.front().triangles;
   for (Vec3& p : made.points) p *= terms.front().weight;
@@ -56,7 +63,8 @@ MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vec
                .first;
   }
   const double cell = (bounds(made).high - bounds(made).low).maxCoeff() / cells;
-  for (Vec3& p : made.points) p += middle;
+  const double own = signedVolume(made), factor = options.volumePreserving && own > 0 ? std::cbrt(volume / own) : 1;
+  for (Vec3& p : made.points) p = middle + factor * p;
   MorphologyResult result{{std::move(made)}, {}, {}};
   result.stats.way = Way::Field;
   result.warnings.push_back(fmt::format("This is a preview of {} cells: it is off by about {:.2g} mm.", cells, cell));

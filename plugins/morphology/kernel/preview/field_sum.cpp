@@ -1,8 +1,8 @@
 #include "kernel/preview/field_sum.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -10,6 +10,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "kernel/preview/distance_grid.h"
 #include "kernel/preview/surface_net.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
 
@@ -24,15 +25,23 @@ std::vector<Triangle3> trianglesOf(const PreviewTerm& term) {
   return all;
 }
 
-/// Points of a triangle, no two neighbours farther apart than a step. Segments and points are flat triangles.
-void addSamples(const Triangle3& t, double step, std::vector<Vec3>& samples) {
-  const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-  constexpr double mostParts = 1000;
-  const int parts = static_cast<int>(std::clamp(std::ceil(longest / step), 1.0, mostParts));
-  for (int i = 0; i <= parts; ++i)
-    for (int j = 0; i + j <= parts; ++j)
-      samples.push_back(t[0] + i / static_cast<double>(parts) * (t[1] - t[0]) +
-                        j / static_cast<double>(parts) * (t[2] - t[0]));
+/// Points of a triangle in rows along its longest side, no two neighbours farther apart than a step. Segments and points are
+/// flat triangles.
+void addSamples(Triangle3 t, double step, std::vector<Vec3>& samples) {
+  const auto length = [&](std::size_t k) { return (t[(k + 1) % 3] - t[k]).norm(); };
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (length(k) > length(longest)) longest = k;
+  std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(longest), t.end());
+  const double height = length(0) > 0 ? (t[1] - t[0]).cross(t[2] - t[0]).norm() / length(0) : 0;
+  const auto parts = [&](double distance) { return std::max(1, static_cast<int>(std::ceil(distance / step))); };
+  const int rows = parts(height);
+  for (int row = 0; row <= rows; ++row) {
+    const double up = row / static_cast<double>(rows);
+    const Vec3 from = t[0] + up * (t[2] - t[0]), to = t[1] + up * (t[2] - t[1]);
+    const int count = parts((to - from).norm());
+    for (int k = 0; k <= count; ++k) samples.emplace_back(from + k / static_cast<double>(count) * (to - from));
+  }
 }
 
 /// One sample in each cell of a grid, which may lose the outermost ones.
@@ -47,9 +56,13 @@ std::vector<Vec3> thinnedOut(std::vector<Vec3> samples, double step) {
   return samples;
 }
 
-std::vector<Vec3> samplesOf(const PreviewTerm& term, double step) {
+std::vector<Vec3> samplesOf(const PreviewTerm& term, const std::vector<Triangle3>& triangles, double step,
+                            const Progress& progress) {
   std::vector<Vec3> samples;
-  for (const Triangle3& t : trianglesOf(term)) addSamples(t, step, samples);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (t % 1024 == 0) progress.check();
+    addSamples(triangles[t], step, samples);
+  }
   for (const auto& piece : term.pieces) {
     const auto corner = [&](std::size_t k) { return Vec3(term.factor * piece[std::min(k, piece.size() - 1)]); };
     addSamples({corner(0), corner(1), corner(2)}, step, samples);
@@ -123,16 +136,6 @@ class SampleTree {
   std::vector<Node> nodes_;
 };
 
-/// A corner of each body.
-std::vector<Vec3> bodiesOf(const PreviewTerm& term) {
-  const MeshTopology topology = meshTopology(term.triangles);
-  std::vector<Vec3> corners(topology.components.size());
-  for (std::size_t f = 0; f < term.triangles.faceCount(); ++f)
-    corners[static_cast<std::size_t>(topology.componentOfFace[f])] =
-        term.factor * term.triangles.points[static_cast<std::size_t>(term.triangles.face(f)[0])];
-  return corners;
-}
-
 Bounds boundsOf(const PreviewTerm& term) {
   Bounds box;
   for (const Vec3& p : term.triangles.points) box.add(term.factor * p);
@@ -160,22 +163,29 @@ GridValues gridAround(const Bounds& a, const Bounds& b, int cells) {
 }  // namespace
 
 Mesh fieldSum(const PreviewTerm& a, const PreviewTerm& b, int cells, const Progress& progress) {
-  GridValues grid = gridAround(boundsOf(a), boundsOf(b), cells);
+  const Bounds boxOfA = boundsOf(a), boxOfB = boundsOf(b);
+  GridValues grid = gridAround(boxOfA, boxOfB, cells);
   const std::vector<Triangle3> solid = trianglesOf(a), other = trianglesOf(b);
-  const DistanceGrid toA(solid, grid.step, progress.part(0, 0.2));
-  std::optional<DistanceGrid> toB;
-  if (!other.empty()) toB.emplace(other, grid.step, progress.part(0.2, 0.4));
-  const SampleTree boundary(samplesOf(b, grid.step));
-  const std::vector<Vec3> bodies = bodiesOf(a);
+  const auto stepOf = [&](const Bounds& box) {
+    constexpr double finer = 1.5;  // than the grid of the sum, where a shape is as large as that
+    return std::max(std::min(grid.step, (box.high - box.low).maxCoeff() / (finer * cells)), 1e-9);
+  };
+  std::optional<DistanceGrid> toA, toB;
+  sideBySide(
+      progress, [&] { toA.emplace(solid, stepOf(boxOfA), progress); },
+      [&] {
+        if (!other.empty()) toB.emplace(other, stepOf(boxOfB), progress);
+      });
+  const SampleTree boundaryOfB(samplesOf(b, other, grid.step, progress));
+  const SampleTree boundaryOfA(toB ? samplesOf(a, solid, grid.step, progress) : std::vector<Vec3>());
   const double band = 2 * grid.step;
   parallelFor(static_cast<std::size_t>(grid.count[2]), 1, progress.part(0.4, 0.9), [&](std::size_t first, std::size_t last) {
     for (auto z = static_cast<int>(first); z < static_cast<int>(last); ++z)
       for (int y = 0; y < grid.count[1]; ++y)
         for (int x = 0; x < grid.count[0]; ++x) {
           const Vec3 p = grid.low + grid.step * Vec3(x, y, z);
-          double value = boundary.least(toA, p, band, band);
-          if (toB)
-            for (const Vec3& body : bodies) value = std::min(value, (*toB)(p - body));
+          double value = boundaryOfB.least(*toA, p, band, band);
+          if (toB && value > -band) value = boundaryOfA.least(*toB, p, value, band);
           grid.values[grid.index(x, y, z)] = static_cast<float>(value);
         }
   });

@@ -16,12 +16,13 @@ struct PreviewTerm {
 
 /// About where a + b is, for pictures while something is dragged: the contour of
 ///
-///     min( min over b on the boundary of B of d_A(x - b),  min over a in A, one in each body, of d_B(x - a) ),
+///     min( min over b on the boundary of B of d_A(x - b),  min over a on the boundary of A of d_B(x - a) ),
 ///
 /// where d is a signed distance, on a grid of so many cells along the longest side. A place belongs to the sum when the
-/// boundary of x - B meets A, or when x - B has a whole body of A inside. The samples b lie a cell apart and are searched in
-/// a tree of balls, as distances change no faster than places. Off by about a cell; details thinner than that are lost.
-/// Triangles of the solid a; b may be thin. O(cells^3), however many faces there are beside them. @throws Error Cancelled.
+/// boundary of one shape, reflected and moved there, meets the other shape. Samples of the boundaries lie a cell apart and
+/// are searched in trees of balls, as distances change no faster than places. Off by about a cell; what is thinner than that
+/// may be lost where both shapes are so thin. Triangles of the solid a; b may be thin.
+/// O(cells^3 + faces + samples). @throws Error Cancelled.
 Mesh fieldSum(const PreviewTerm& a, const PreviewTerm& b, int cells, const Progress&);
 
 }  // namespace blossom::morphology

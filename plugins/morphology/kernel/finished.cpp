@@ -219,7 +219,8 @@ Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress
   if (!meshTopology(triangles).closed())
     throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
   const double size = bounds(triangles).diagonal();
-  const Mesh joined = manifoldOf(joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress), progress);
+  Mesh joined = joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress);
+  joined = joined.faceCount() == triangles.faceCount() ? triangles : manifoldOf(joined, progress);
   Attempts attempts(centre, progress);
   if (auto made = attempts.withFewerPolygons(joined)) return {inOrder(*made), {}};
   std::optional<MeshCrossing> crossing = attempts.crossing();

@@ -160,6 +160,7 @@ std::vector<bool> shellsThinnerThan(double step, const Mesh& mesh, const MeshTop
         Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
   }
   std::vector<bool> isThin;
+  isThin.reserve(sums.size());
   for (const Sums& shell : sums)
     isThin.push_back(2 * std::abs(shell.sixVolumes.convert_to<double>()) / 6 < shell.twoAreas / 2);
   return isThin;

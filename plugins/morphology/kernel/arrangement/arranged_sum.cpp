@@ -263,7 +263,7 @@ std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, dou
   Points points(planes);
   std::vector<SumFacet> made;
   for (const Facet& facet : facetsOf(*first, *second, planes, points, nullptr, progress)) {
-    SumFacet& placed = made.emplace_back(static_cast<std::size_t>(facet.family));
+    SumFacet& placed = made.emplace_back(SumFacet{static_cast<std::size_t>(facet.family), {}});
     for (std::size_t k = 0; k < facet.count; ++k)
       placed.corners.emplace_back(step * inDoubles(points.grid(facet.corners[k])));
   }

@@ -188,10 +188,11 @@ int Points::onEdge(int from, int to, int plane) {
   Entry made;
   made.kind = Kind::Edge;
   made.from = {from, to, plane};
-  if (const auto known = find(originOf(made))) return *known;
+  const auto origin = originOf(made);
+  if (const auto known = find(origin)) return *known;
   made.planes = {plane};
   place(made);
-  return found(originOf(made), std::move(made));
+  return found(origin, std::move(made));
 }
 
 int Points::onThree(int first, int second, int third) {
@@ -199,10 +200,11 @@ int Points::onThree(int first, int second, int third) {
   made.kind = Kind::Planes;
   made.from = {first, second, third};
   std::sort(made.from.begin(), made.from.end());
-  if (const auto known = find(originOf(made))) return *known;
+  const auto origin = originOf(made);
+  if (const auto known = find(origin)) return *known;
   made.planes.assign(made.from.begin(), made.from.end());
   place(made);
-  return found(originOf(made), std::move(made));
+  return found(origin, std::move(made));
 }
 
 int Points::take(Points& part, int point, const std::function<int(int)>& numberOf) {

@@ -387,22 +387,6 @@
         <translation>ein Netz, aus dem ein Körper wird</translation>
     </message>
     <message>
-        <source>convert</source>
-        <translation>umwandeln</translation>
-    </message>
-    <message>
-        <source>mesh to solid</source>
-        <translation>Netz zu Körper</translation>
-    </message>
-    <message>
-        <source>stl to step</source>
-        <translation>stl zu step</translation>
-    </message>
-    <message>
-        <source>planar faces</source>
-        <translation>ebene Flächen</translation>
-    </message>
-    <message>
         <source>volume preserving</source>
         <translation>volumentreu</translation>
     </message>

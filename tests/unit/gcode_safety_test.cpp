@@ -234,8 +234,9 @@ class GcodeSafetyTest : public QObject {
 
   void radiiAreDoubtedWhereAllOtherArcsAreSmooth() {
     Random random = seededRandom();
+    constexpr int rounds = 1000;  // of a hundred, one seed in twenty told fewer than 95
     int told = 0, blamed = 0;
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < rounds; ++k) {
       const int slipped = uniformInt(random, 1, 38);
       told +=
           doubted(chainOfArcs(random, 40, 0, slipped, true), "a radius of") == static_cast<std::size_t>(5 + slipped) ? 1 : 0;
@@ -243,7 +244,7 @@ class GcodeSafetyTest : public QObject {
     }
     std::printf("figure radii_told %d\nfigure radii_blamed %d\n", told, blamed);
     QCOMPARE(blamed, 0);
-    QVERIFY2(told >= 95, qPrintable(QString::number(told)));
+    QVERIFY2(100 * told >= 95 * rounds, qPrintable(QString::number(told)));
   }
 
   void centresAreDoubtedWhereAllOtherArcsAreSmooth() {

@@ -81,6 +81,8 @@ class ModelingMeshTest : public QObject {
     const Error error = refusal("mesh-solid", {}, {lidless});
     QVERIFY2(error.code() == ErrorCode::InvalidInput && std::string(error.message()).find("near (") != std::string::npos,
              error.message().c_str());
+    const Error crossing = refusal("mesh-solid", {}, {together(open, movedBy(open, {0.5, 0.25, 0.125}))});
+    QVERIFY2(std::string(crossing.message()).find("crosses itself near (") != std::string::npos, crossing.message().c_str());
     const Value picked{{"edges", {{{"input", "shape"}, {"kind", "edge"}, {"index", 0}}}}};
     QVERIFY(std::string(refusal("fillet", picked, {open}).hint()).find("Solid from mesh") != std::string::npos);
     QCOMPARE(refusal("boolean", {}, {open, made("rectangle").shape}).code(), ErrorCode::InvalidInput);

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/place_text.h"
+#include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/numeric/point_merge.h"
 #include "geometry/occt/joined_faces.h"
@@ -39,6 +40,13 @@ void refuseOpen(const Mesh& mesh, const MeshTopology& topology) {
   }
 }
 
+void refuseCrossing(const Mesh& mesh, const Progress& progress) {
+  if (const auto crossing = firstCrossing(triangulated(mesh, progress).first, progress))
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("The mesh bounds no solid: it crosses itself near {}.", placeText(crossing->place)),
+                "Repair it in the program that made it.");
+}
+
 }  // namespace
 
 TopoDS_Shape solidOfMesh(const Mesh& mesh, const Progress& progress) {
@@ -47,8 +55,11 @@ TopoDS_Shape solidOfMesh(const Mesh& mesh, const Progress& progress) {
                 fmt::format("A mesh of {} faces is too large for a solid of planar faces; the limit is {}.",
                             mesh.faceCount(), mostFaces),
                 "Simplify it first, or use it where meshes are taken.");
+  if (mesh.faceCount() == 0)
+    throw Error(ErrorCode::InvalidInput, "The mesh has no faces, so it bounds no solid.", "Choose a closed mesh.");
   const Mesh shared = withSharedCorners(mesh);
   refuseOpen(shared, meshTopology(shared, progress));
+  refuseCrossing(shared, progress);
   const Complaint complaint{"The mesh bounds no valid solid.",
                             "It may cross itself: repair it in the program that made it."};
   return guarded(complaint.message, complaint.hint, [&] {

@@ -53,7 +53,9 @@ std::vector<Pair> pairs(const std::filesystem::path& folder) {
                                                                                {"torus1024", "ico320"},
                                                                                {"bumpy320", "ico80"},
                                                                                {"bumpy1280", "ico80"},
-                                                                               {"gear8", "bumpy320"}})
+                                                                               {"gear8", "bumpy320"},
+                                                                               {"gear20", "bumpy320"},
+                                                                               {"bumpy1280", "bumpy320"}})
       all.push_back({fmt::format("{} + {}", a, b), solid(a), solid(b)});
   all.push_back({"ball:5:4 + ball:2:4", ballOf(5, 4), ballOf(2, 4)});
   all.push_back({"ball:5:2 + ball:2:2", ballOf(5, 2), ballOf(2, 2)});

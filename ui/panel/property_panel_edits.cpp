@@ -20,8 +20,6 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int patience = 120;  // ms; what takes longer is previewed on a grid where it can be
-
 bool namesFiles(const ParameterSpec& spec, const Value& value) {
   if (value.is_null()) return false;
   if (spec.kind == ParameterKind::File) return value.value("asset", std::string()).empty();
@@ -85,7 +83,7 @@ void PropertyPanel::preview(ParameterField* field, const Value& value) {
 // slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
   const bool busy = session_.evaluating();
-  if (sentWhole_) isSlow_ = sent_.elapsed() > patience;  // has taken, or is taking
+  if (sentWhole_) isSlow_ = sent_.elapsed() > previewPatience;  // has taken, or is taking
   if (!busy) sentWhole_ = false;
   if (!waiting_ || !previewed_ || (busy && !(sentWhole_ && isSlow_))) return;
   Document document = session_.document().with(changed(previewed_->spec().name, *waiting_));
@@ -102,7 +100,8 @@ void PropertyPanel::sendWhole(Document document) {
   rest_.stop();
   sentWhole_ = true;
   sent_.start();
-  QTimer::singleShot(patience + 1, this, &PropertyPanel::sendPreview);  // what waits meanwhile need not wait for all of it
+  QTimer::singleShot(previewPatience + 1, this,
+                     &PropertyPanel::sendPreview);  // what waits meanwhile need not wait for all of it
   session_.preview(std::move(document));
 }
 

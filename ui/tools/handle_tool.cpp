@@ -12,9 +12,6 @@ namespace blossom::ui {
 
 namespace {
 
-/// ms; what takes longer is previewed on a grid where it can be, which is not as quick as a frame.
-constexpr double patience = 120;
-
 /// Documents share what is equal. Undone, or joined by an import, during a drag: the drag must not put the old one back.
 bool sameFeatures(const Document& a, const Document& b) { return std::ranges::equal(a.features(), b.features()); }
 
@@ -132,7 +129,7 @@ void HandleTool::preview(Document document, const DragDetail::Coarser& coarser) 
   previewing_ = true;
   const auto quick = coarser ? std::nullopt : quickPreview(document, host().registry(), feature_);
   if (!quick) return detail_.show(std::move(document), coarser);
-  if (watched_.empty()) detail_.setBudget(patience);
+  if (watched_.empty()) detail_.setBudget(previewPatience);
   watched_ = quick->last;
   detail_.show(std::move(document), [this](const Document& whole) {
     const auto again = quickPreview(whole, host().registry(), feature_);

@@ -66,13 +66,14 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
 /// (A + B) - B: A and all places that B cannot reach from outside.
 MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
-/// The sum of `weights[k] * shapes[k]` for every row of weights (Definition 9, with w = f(t), for any number of shapes). The
-/// shapes are solids; a shape of weight 1 is itself.
-/// @param weights at least 0, of sum 1, one row for each frame and one weight for each shape
 struct MorphOptions {
   /// In-between solids are scaled about the blend of the middles of the shapes, so that their volumes blend, too.
   bool volumePreserving = false;
 };
+
+/// The sum of `weights[k] * shapes[k]` for every row of weights (Definition 9, with w = f(t), for any number of shapes). The
+/// shapes are solids; a shape of weight 1 is itself.
+/// @param weights at least 0, of sum 1, one row for each frame and one weight for each shape
 MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
                             const MorphOptions& = {}, const Progress& = Progress::none());
 

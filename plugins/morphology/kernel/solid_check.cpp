@@ -113,27 +113,12 @@ Error enclosesNothing(const Subject& subject) {
                "Choose a solid or a closed mesh.");
 }
 
-/// One shell, seen from a corner of its own: what is small and far away keeps the digits of its volume.
-Mesh shellOf(const Mesh& triangles, const MeshTopology& topology, int component) {
-  Mesh shell;
-  std::unordered_map<int, int> numbers;
-  for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
-    if (topology.componentOfFace[f] != component) continue;
-    std::vector<int> face;
-    for (const int v : triangles.face(f)) {
-      const auto [it, fresh] = numbers.try_emplace(v, static_cast<int>(shell.points.size()));
-      if (fresh) shell.points.push_back(triangles.points[static_cast<std::size_t>(v)]);
-      face.push_back(it->second);
-    }
-    shell.addFace(face);
-  }
-  const Vec3 corner = shell.points.empty() ? Vec3(Vec3::Zero()) : shell.points.front();
-  for (Vec3& p : shell.points) p -= corner;
-  return shell;
-}
-
 double volumeOf(const Mesh& triangles, const MeshTopology& topology, int component) {
-  return signedVolume(shellOf(triangles, topology, component));
+  Mesh part;
+  part.points = triangles.points;
+  for (std::size_t f = 0; f < triangles.faceCount(); ++f)
+    if (topology.componentOfFace[f] == component) part.addFace(triangles.face(f));
+  return signedVolume(part);
 }
 
 /// Whether the two sides of each shell on a grid are nearer to each other than a step, on average over its area. In whole

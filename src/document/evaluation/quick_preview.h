@@ -6,6 +6,9 @@
 
 namespace blossom {
 
+/// ms; what takes longer while something is dragged is previewed, which is not as quick as a frame.
+inline constexpr int previewPatience = 120;
+
 /// The document with previews in place of what takes long.
 struct QuickPreview {
   Document document;

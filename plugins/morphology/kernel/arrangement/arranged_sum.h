@@ -47,12 +47,14 @@ std::shared_ptr<const arrangement::FeaturePairs> keptPairs(const Term& a, const 
 /// do not overlap
 std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress&);
 
-/// The facets that may bound the sum, by what they are made of as in `ArrangedSum::candidates`. Nothing where the shapes, on
-/// the grid, have triangles without area.
+/// A facet that may bound a sum.
 struct SumFacet {
-  std::size_t family = 0;
+  std::size_t family = 0;     ///< what it is made of, as in `ArrangedSum::candidates`
   std::vector<Vec3> corners;  ///< counter-clockwise from outside
 };
+
+/// All facets that may bound the sum, before they are cut. Nothing where the shapes, on the grid, have triangles without
+/// area. @throws Error Cancelled.
 std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, double step, const Progress&);
 
 /// The ends of the reflex edges of a solid.

@@ -45,13 +45,14 @@ DistanceGrid::DistanceGrid(std::span<const Triangle3> triangles, double step, co
   tellSides(progress);
 }
 
-/// The first and last number along each axis.
-std::array<std::array<int, 2>, 3> DistanceGrid::placesIn(const Vec3& low, const Vec3& high) const {
+/// The first and last number along each axis of the places at most a step beside the box of a triangle.
+std::array<std::array<int, 2>, 3> DistanceGrid::placesBeside(const Triangle3& t) const {
+  const Box3 box = boxOf(t);
   std::array<std::array<int, 2>, 3> range{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    range[k] = {std::max(0, static_cast<int>(std::ceil((low[axis] - low_[axis]) / step_))),
-                std::min(count_[k] - 1, static_cast<int>(std::floor((high[axis] - low_[axis]) / step_)))};
+    range[k] = {std::max(0, static_cast<int>(std::ceil((box.min()[axis] - low_[axis]) / step_ - 1))),
+                std::min(count_[k] - 1, static_cast<int>(std::floor((box.max()[axis] - low_[axis]) / step_ + 1)))};
   }
   return range;
 }
@@ -70,9 +71,7 @@ void DistanceGrid::offer(int x, int y, int z, int triangle) {
 void DistanceGrid::findBesideSurface(const Progress& progress) {
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     if (t % 1024 == 0) progress.check();
-    Bounds box;
-    for (const Vec3& p : triangles_[t]) box.add(p);
-    const auto range = placesIn(box.low - step_ * Vec3::Ones(), box.high + step_ * Vec3::Ones());
+    const auto range = placesBeside(triangles_[t]);
     for (int z = range[2][0]; z <= range[2][1]; ++z)
       for (int y = range[1][0]; y <= range[1][1]; ++y)
         for (int x = range[0][0]; x <= range[0][1]; ++x) offer(x, y, z, static_cast<int>(t));
@@ -104,9 +103,7 @@ void DistanceGrid::tellSides(const Progress& progress) {
                                                          static_cast<std::size_t>(count_[1]));
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     if (t % 1024 == 0) progress.check();
-    Bounds box;
-    for (const Vec3& p : triangles_[t]) box.add(p);
-    const auto range = placesIn(box.low - step_ * Vec3::Ones(), box.high + step_ * Vec3::Ones());
+    const auto range = placesBeside(triangles_[t]);
     for (int y = range[1][0]; y <= range[1][1]; ++y)
       for (int x = range[0][0]; x <= range[0][1]; ++x) {
         const Vec3 p = place(x, y, 0);

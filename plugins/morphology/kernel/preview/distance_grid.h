@@ -27,7 +27,7 @@ class DistanceGrid {
            static_cast<std::size_t>(x);
   }
   [[nodiscard]] Vec3 place(int x, int y, int z) const { return low_ + step_ * Vec3(x, y, z); }
-  [[nodiscard]] std::array<std::array<int, 2>, 3> placesIn(const Vec3& low, const Vec3& high) const;
+  [[nodiscard]] std::array<std::array<int, 2>, 3> placesBeside(const Triangle3&) const;
   void offer(int x, int y, int z, int triangle);
   void findBesideSurface(const Progress&);
   void handOn(const Progress&);

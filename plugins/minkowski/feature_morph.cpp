@@ -70,12 +70,6 @@ ParameterSpec ratioAndBeyond() {
   return spec;
 }
 
-ParameterSpec positiveNumber() {
-  ParameterSpec spec = number(0);
-  spec.aboveMinimum = true;
-  return spec;
-}
-
 void refuseTogether(const MorphParameters& p) {
   if (p.frames > 0 && !p.blossom.empty())
     throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one shape, not a sequence of frames.",

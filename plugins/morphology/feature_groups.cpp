@@ -40,6 +40,7 @@ Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& time
   Evaluated out;
   out.stats = statsOf(result.stats);
   out.warnings = std::move(result.warnings);
+  for (Mesh& solid : result.solids) solid.flatFaces = result.stats.way != Way::Field;
   if (times.empty()) {
     out.shape = std::move(result.solids.front());
     return out;

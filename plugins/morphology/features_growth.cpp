@@ -5,12 +5,6 @@ namespace blossom::morphology {
 
 namespace {
 
-ParameterSpec timesAsLarge() {
-  ParameterSpec spec = number(0);
-  spec.aboveMinimum = true;
-  return spec;
-}
-
 enum class Until { Size, Nothing };
 
 struct GrowParameters {
@@ -73,7 +67,7 @@ FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
               .asks = "a solid to grow or melt"})
       .input({.name = "element", .help = texts.element, .kinds = elementKinds, .minimum = 0, .use = InputUse::Control})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
-      .parameter("size", &P::size, timesAsLarge(), "How many times as large as drawn an element is taken.")
+      .parameter("size", &P::size, positiveNumber(), "How many times as large as drawn an element is taken.")
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from size 0 to the whole size; 0 makes only the last one.")
       .parameter("control", &P::control, controlChoice(), "Growth of the size over the frames.")

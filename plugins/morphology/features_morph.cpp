@@ -79,6 +79,7 @@ FeatureType morphFeature() {
       .icon("solid-morph")
       .produces({ShapeKind::Mesh})
       .playedBy({.parameter = "frames", .excludedBy = "blossom"})
+      .previewedBy("preview")
       .input({.name = "solids",
               .help =
                   "Solids from t = 0 to t = 1; those between pull the morph towards them, as the poles of a Bezier curve "

@@ -69,6 +69,7 @@ FeatureType sumFeature() {
                     "The space that one solid covers while its origin moves over the other.")
       .icon("solid-sum")
       .produces({ShapeKind::Mesh})
+      .previewedBy("preview")
       .input({.name = "solid",
               .help = "The shape to add to.",
               .kinds = elementKinds,

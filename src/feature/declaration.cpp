@@ -118,6 +118,15 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
     broken(what, fmt::format("has no list \"{}\" that keeps it from playing", played.excludedBy));
 }
 
+void checkPreviews(const std::string& what, const FeatureType& type) {
+  const std::string& name = type.previewedBy;
+  const auto counts = [&](const ParameterSpec& spec) {
+    return spec.name == name && spec.kind == ParameterKind::Count && spec.minimum == 0.0;
+  };
+  if (!name.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), counts))
+    broken(what, fmt::format("cannot be previewed by \"{}\": it must be a count from 0", name));
+}
+
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.
 void checkOpening(const std::string& what, const FeatureType& type) {
   if (type.opens == ShapeKind::None) {
@@ -181,6 +190,7 @@ void check(FeatureType& type) {
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);
+  checkPreviews(what, type);
   checkEdited(what, type);
 }
 

@@ -140,6 +140,9 @@ struct FeatureType {
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
   PlayedBy playedBy = {};
+  /// A count: cells along the largest side of a preview that is shown while something is dragged, 0 for the exact result;
+  /// empty: the feature has no previews.
+  std::string previewedBy = {};
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
   /// What goes between the import and the feature that opens the shape; not set: nothing. Only where `opens` is set.
@@ -218,6 +221,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& playedBy(PlayedBy played) {
     type_.playedBy = std::move(played);
+    return *this;
+  }
+  FeatureBuilder& previewedBy(std::string parameter) {
+    type_.previewedBy = std::move(parameter);
     return *this;
   }
   FeatureBuilder& input(InputSpec spec) {

@@ -22,6 +22,13 @@ ParameterSpec ofKind(ParameterKind kind) {
   return spec;
 }
 
+ParameterSpec above0(ParameterKind kind) {
+  ParameterSpec spec = ofKind(kind);
+  spec.minimum = 0;
+  spec.aboveMinimum = true;
+  return spec;
+}
+
 std::string fieldNames(const std::vector<ParameterSpec>& fields) {
   std::vector<std::string> names;
   names.reserve(fields.size());
@@ -127,6 +134,8 @@ ParameterSpec number(std::optional<double> minimum, std::optional<double> maximu
   return spec;
 }
 
+ParameterSpec positiveNumber() { return above0(ParameterKind::Number); }
+
 ParameterSpec ratio() {
   ParameterSpec spec = ofKind(ParameterKind::Ratio);
   spec.minimum = 0;
@@ -142,12 +151,7 @@ ParameterSpec lengthFromZero() {
   return spec;
 }
 
-ParameterSpec positiveLength() {
-  ParameterSpec spec = ofKind(ParameterKind::Length);
-  spec.minimum = 0;
-  spec.aboveMinimum = true;
-  return spec;
-}
+ParameterSpec positiveLength() { return above0(ParameterKind::Length); }
 
 ParameterSpec angle() { return ofKind(ParameterKind::Angle); }
 

@@ -103,6 +103,7 @@ std::string nearestName(std::string_view wanted, const std::vector<std::string>&
 ParameterSpec flag();
 ParameterSpec count(int minimum = 0, std::optional<int> maximum = {});
 ParameterSpec number(std::optional<double> minimum = {}, std::optional<double> maximum = {});
+ParameterSpec positiveNumber();  ///< above 0
 ParameterSpec ratio();           ///< 0..1
 ParameterSpec length();          ///< any length in mm
 ParameterSpec positiveLength();  ///< mm, above 0

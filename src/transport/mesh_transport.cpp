@@ -20,7 +20,8 @@ Value saveMesh(const Mesh& mesh, const std::filesystem::path& folder, const std:
   return {{"file", file.filename().string()},
           {"other_tags", mesh.otherTags},
           {"name", mesh.name},
-          {"color", colorValue(mesh.color)}};
+          {"color", colorValue(mesh.color)},
+          {"flat_faces", mesh.flatFaces}};
 }
 
 Mesh loadMesh(const Value& value, const std::filesystem::path& folder) {
@@ -34,6 +35,7 @@ Mesh loadMesh(const Value& value, const std::filesystem::path& folder) {
   mesh.otherTags = value.at("other_tags").get<std::vector<std::string>>();
   mesh.name = value.at("name");
   mesh.color = toColor(value.at("color"));
+  mesh.flatFaces = value.at("flat_faces");
   return mesh;
 }
 

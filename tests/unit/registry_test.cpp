@@ -301,6 +301,20 @@ class RegistryTest : public QObject {
     VERIFY_ERROR(registry.add(excluded), ErrorCode::PluginBroken);
   }
 
+  void aPreviewIsACountFrom0() {
+    const auto previewed = [](const std::string& parameter) {
+      FeatureType type = thingType("test.previewed");
+      type.previewedBy = parameter;
+      return type;
+    };
+    Registry registry;
+    VERIFY_ERROR(registry.add(previewed("nothing")), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.add(previewed("t")), ErrorCode::PluginBroken);
+    FeatureType quick = previewed("cells");
+    quick.parameters.push_back(namedWithDefault(count(0, 200), "cells", 0));
+    registry.add(quick);
+  }
+
   void aDeclarationIsReplacedInItsPlace() {
     Registry registry;
     registry.addAll(thingType(), thingType("test.other"));

@@ -48,6 +48,7 @@ Mesh colouredMesh() {
   mesh.otherTags = {"t hole 1/0/0 0"};
   mesh.name = "Dach";
   mesh.color = Color{0.2, 0.4, 0.6};
+  mesh.flatFaces = true;
   return mesh;
 }
 

@@ -224,6 +224,22 @@ class TessellateTest : public QObject {
     for (const Vec3& n : t.normals) COMPARE_NEAR(std::abs(n.x()), std::sqrt(0.5), 1e-12);
     QCOMPARE(t.edges.size(), std::size_t{4});
   }
+  void facesOfASolidAreDrawnFlat() {
+    Mesh bend;  // two triangles that turn by far less than 30 degrees
+    bend.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, -0.1}};
+    bend.addFace(std::vector<int>{0, 1, 2});
+    bend.addFace(std::vector<int>{1, 3, 2});
+    QCOMPARE(tessellate(bend).points.size(), std::size_t{4});
+    bend.flatFaces = true;
+    const Tessellation t = tessellate(bend);
+    QCOMPARE(t.points.size(), std::size_t{6});
+    for (const auto& triangle : t.triangles) {
+      const auto at = [&](int k) { return t.points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])]; };
+      const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+      for (const int corner : triangle)
+        COMPARE_NEAR((t.normals[static_cast<std::size_t>(corner)] - normal).norm(), 0, 1e-15);
+    }
+  }
   void facesKeepTheirIndexAndColor() {
     auto part = std::make_shared<BrepPart>();
     part->shape = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape();

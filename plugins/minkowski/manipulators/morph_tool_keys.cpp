@@ -15,12 +15,6 @@ bool beginsNumber(const QKeyEvent& event) {
   return !text.isEmpty() && (text[0].isDigit() || QStringLiteral(".-+(").contains(text[0]));
 }
 
-ParameterSpec aboveZero() {
-  ParameterSpec spec = number(0);
-  spec.aboveMinimum = true;
-  return spec;
-}
-
 }  // namespace
 
 bool MorphTool::key(const QKeyEvent& event) {
@@ -59,7 +53,7 @@ Placement MorphTool::typedPlacement() const {
   const auto [shape, grip] = handleOf(*held());
   Placement to = before_[shape];
   const QString text = entry_.text().trimmed();
-  if (grip == Grip::Scale) to.scale = typedNumber(aboveZero(), "scale", text);
+  if (grip == Grip::Scale) to.scale = typedNumber(positiveNumber(), "scale", text);
   if (grip == Grip::Turn) to.turn = typedNumber(angle(), "turn", text);
   if (grip != Grip::Move) return to;
   const QString x = text.section(u',', 0, 0), y = text.section(u',', 1);

@@ -7,16 +7,18 @@ namespace blossom {
 
 namespace {
 
-constexpr const char* parameter = "preview";
 constexpr int cells = 32;
 
-bool canBePreviewed(const Feature& feature, const Registry& registry) {
+/// Nothing when the feature has no previews, is one already, or makes a sequence.
+std::optional<Feature> previewOf(const Feature& feature, const Registry& registry) {
   const auto type = registry.find(feature.type);
-  if (!type || feature.suppressed || feature.parameters.value(parameter, Value(0)) != 0) return false;
+  if (!type || type->previewedBy.empty() || feature.suppressed) return std::nullopt;
+  if (feature.parameters.value(type->previewedBy, Value(0)) != 0) return std::nullopt;
   const Value frames = feature.parameters.value(type->playedBy.parameter, Value(0));
-  if (frames.is_number() && frames.get<double>() > 0) return false;  // a sequence is not previewed
-  return std::any_of(type->parameters.begin(), type->parameters.end(),
-                     [](const ParameterSpec& spec) { return spec.name == parameter && spec.kind == ParameterKind::Count; });
+  if (frames.is_number() && frames.get<double>() > 0) return std::nullopt;
+  Feature preview = feature;
+  preview.parameters[type->previewedBy] = cells;
+  return preview;
 }
 
 }  // namespace
@@ -28,11 +30,11 @@ std::optional<QuickPreview> quickPreview(const Document& document, const Registr
     const auto& inputs = feature->inputs;
     if (std::any_of(inputs.begin(), inputs.end(), [&](const FeatureId& input) { return made.contains(input); }))
       made.insert(feature->id);
-    if (!made.contains(feature->id) || !canBePreviewed(*feature, registry)) continue;
-    Feature preview = *feature;
-    preview.parameters[parameter] = cells;
-    quick.document = quick.document.with(std::move(preview));
-    quick.last = feature->id;
+    if (!made.contains(feature->id)) continue;
+    if (auto preview = previewOf(*feature, registry)) {
+      quick.document = quick.document.with(*std::move(preview));
+      quick.last = feature->id;
+    }
   }
   if (quick.last.empty()) return std::nullopt;
   return quick;

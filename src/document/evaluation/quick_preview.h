@@ -15,8 +15,8 @@ struct QuickPreview {
   FeatureId last;  ///< of the features that are previews in it, the one that comes last
 };
 
-/// What is made of a feature, itself included, as previews: where its type has a parameter "preview", a number of cells
-/// with 0 for none, and the feature has none and makes no sequence. Nothing when there is no such feature. O(features).
+/// What is made of a feature, itself included, as previews: where its type has previews (`previewedBy`) and the feature is
+/// not one already and makes no sequence. Nothing when there is no such feature. O(features).
 std::optional<QuickPreview> quickPreview(const Document&, const Registry&, const FeatureId& changed);
 
 }  // namespace blossom

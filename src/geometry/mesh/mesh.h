@@ -34,6 +34,7 @@ struct Mesh {
   std::vector<std::string> otherTags;  ///< `t` lines with other tags, kept verbatim
   std::string name;
   std::optional<Color> color;
+  bool flatFaces = false;  ///< each face is drawn flat: it is a face of a solid, not a sample of a smooth surface
 
   [[nodiscard]] std::size_t faceCount() const { return faceStarts.size() - 1; }
   [[nodiscard]] std::span<const int> face(std::size_t f) const {

@@ -32,6 +32,7 @@ void append(Mesh& all, const Mesh& mesh) {
   for (std::size_t f = 1; f < mesh.faceStarts.size(); ++f) all.faceStarts.push_back(firstCorner + mesh.faceStarts[f]);
   for (const Crease& crease : mesh.creases)
     all.creases.push_back({first + crease.from, first + crease.to, crease.sharpness});
+  all.flatFaces = all.flatFaces || mesh.flatFaces;
   for (const Corner& corner : mesh.corners) all.corners.push_back({first + corner.vertex, corner.sharpness});
 }
 

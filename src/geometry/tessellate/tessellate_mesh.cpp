@@ -66,11 +66,11 @@ class MeshTessellator {
     return static_cast<std::size_t>(corner + 1 < mesh_.faceStarts[f + 1] ? corner + 1 : mesh_.faceStarts[f]);
   }
 
-  /// Corners that meet over a smooth edge share a point and a normal; over a sharp edge they part.
+  /// Corners that meet over a smooth edge share a point and a normal; over a sharp edge, and of flat faces, they part.
   void addPoints() {
     UnionFind corners(mesh_.faceVertices.size());
     for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
-      if (sharp_[e]) continue;
+      if (sharp_[e] || mesh_.flatFaces) continue;
       const MeshEdge& edge = topology_.edges[e];
       const auto [a, b] = edge.corners;
       corners.unite(static_cast<std::size_t>(a), cornerAfter(edge.faces[1], b));

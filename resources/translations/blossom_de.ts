@@ -3448,6 +3448,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>%1 more with the results below.</source>
         <translation>%1 weitere unten bei den Ergebnissen.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it does not go with %2 · Undo brings it back</source>
+        <translation>%1 entfällt: es passt nicht zu %2 · Rückgängig bringt es zurück</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::RatioSlider</name>

@@ -3448,6 +3448,10 @@ Drag sideways to change it.</source>
         <source>%1 more with the results below.</source>
         <translation>아래 결과에 %1개 더 있습니다.</translation>
     </message>
+    <message>
+        <source>%1 is left out: it does not go with %2 · Undo brings it back</source>
+        <translation>%1은(는) %2와(과) 함께 쓸 수 없어 뺐습니다 · 실행 취소하면 돌아옵니다</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::RatioSlider</name>

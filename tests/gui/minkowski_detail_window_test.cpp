@@ -18,6 +18,7 @@ class MinkowskiDetailWindowTest : public WindowFixture {
 
   void theWholeComesAtRest();
   void theTimelineStaysWhereItIs();
+  void timeAndFiguresAreThoseOfTheWhole();
   void withinTheBudgetNothingIsCoarse();
 
  private:
@@ -129,6 +130,29 @@ void MinkowskiDetailWindowTest::theTimelineStaysWhereItIs() {
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, from_ + QPoint(6, 48));
   waitUntilComputed();
   QVERIFY(stays());
+}
+
+/// While it plays on, t follows, and the few frames are not told as the result.
+void MinkowskiDetailWindowTest::timeAndFiguresAreThoseOfTheWhole() {
+  const auto countTold = [this] {
+    for (const QLabel* label : window_->properties().findChildren<QLabel*>())
+      if (label->text().contains(QStringLiteral("25"))) return true;
+    return false;
+  };
+  const auto shownTime = [this] { return window_->properties().field(QStringLiteral("t"))->value().get<double>(); };
+  QVERIFY(countTold());
+  COMPARE_NEAR(shownTime(), 7.0 / 24, 1e-12);
+  take(-1);
+  for (int k = 1; k <= 12; ++k) {
+    moveBy(2, 4.0 * k);
+    playback().show(7 + k);
+    QCoreApplication::processEvents();
+    QVERIFY(countTold());
+    COMPARE_NEAR(shownTime(), (7.0 + k) / 24, 1e-12);
+  }
+  QVERIFY(coarse() > 0);
+  QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, from_ + QPoint(6, 48));
+  waitUntilComputed();
 }
 
 void MinkowskiDetailWindowTest::withinTheBudgetNothingIsCoarse() {

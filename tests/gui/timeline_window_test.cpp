@@ -24,6 +24,7 @@ class TimelineWindowTest : public WindowFixture {
   void onionSkinShowsTheOthers();
   void theSkinFollowsTheKeys();
   void keysAddedInThePanelLeaveTheSequenceAsItIs();
+  void framesAndBlossomNumbersGiveWayToEachOther();
   void playKeepsTheFocus();
   void theTimelineGoesWithItsSequence();
   void aSelectedSequenceIsExtruded();
@@ -181,6 +182,35 @@ void TimelineWindowTest::keysAddedInThePanelLeaveTheSequenceAsItIs() {
     slider().setValue(frame);
     COMPARE_NEAR(shownWidth(), 10 + frame, 1e-6);
   }
+}
+
+/// A click on "+" at the list, beside frames, must not end in an error.
+void TimelineWindowTest::framesAndBlossomNumbersGiveWayToEachOther() {
+  window_->tree().select(last());
+  const auto parameter = [this](const char* name) {
+    return window_->page().document().at(last()).parameters.value(name, Value());
+  };
+  const auto isFine = [this] {
+    waitUntilComputed();
+    return window_->session().view(last()) && !window_->session().view(last())->result->error;
+  };
+  for (auto* button : window_->properties().field(QStringLiteral("blossom"))->findChildren<QToolButton*>())
+    if (button->property("role") == QStringLiteral("add")) {
+      button->click();
+      break;
+    }
+  QVERIFY(isFine());
+  QVERIFY(!parameter("blossom").empty());
+  QCOMPARE(playback().count(), 1);
+  edit("frames", "5");
+  QVERIFY(isFine());
+  QVERIFY(parameter("blossom").empty());
+  QTRY_COMPARE(playback().count(), 5);
+  // Each was one step.
+  window_->session().undo();
+  window_->session().undo();
+  QVERIFY(isFine());
+  QTRY_COMPARE(playback().count(), 11);
 }
 
 /// While the frames are computed, the button that was pressed keeps the focus: keys that follow must not end in a field.

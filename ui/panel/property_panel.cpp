@@ -343,7 +343,9 @@ void PropertyPanel::refreshResult() {
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
   const auto view = session_.view(shown_);
-  result_->show(view.get(), besides, session_.outdated(shown_));
+  // The few frames that follow a drag stand for the whole sequence.
+  const bool standIn = session_.coarse() && view && view->result->evaluated.shape.kind() == ShapeKind::Sequence;
+  if (!standIn) result_->show(view.get(), besides, session_.outdated(shown_));
   showFault();
   showNotice(view && !view->result->error ? view->result->evaluated.warnings : std::vector<std::string>());
 }

@@ -96,6 +96,7 @@ class PropertyPanel : public QScrollArea {
   void rename(const QString&);
   void wantPick(ParameterField*, InputEditor*, PickRequest);
   [[nodiscard]] Feature changed(const std::string& parameter, const Value&) const;
+  void tellWhatGaveWay(const ParameterSpec& set, const Value& before);
 
   Session& session_;
   FeatureId shown_;

@@ -62,6 +62,17 @@ Document withParameterOf(Document document, const Document& other, const Feature
   return document.with(feature);
 }
 
+/// The frames of a sequence and the list that keeps a feature from making one do not go together: of the two, the name of
+/// the one that has to give way to the one that is set; empty when none has to.
+std::string givingWay(const PlayedBy& played, const std::string& changed, const Value& parameters) {
+  const auto isSet = [&](const std::string& name) {
+    const auto at = parameters.find(name);
+    return at != parameters.end() && *at != 0 && !at->empty();
+  };
+  if (played.excludedBy.empty() || !isSet(played.parameter) || !isSet(played.excludedBy)) return {};
+  return changed == played.excludedBy ? played.parameter : changed == played.parameter ? played.excludedBy : std::string();
+}
+
 }  // namespace
 
 Feature PropertyPanel::changed(const std::string& parameter, const Value& value) const {
@@ -70,7 +81,21 @@ Feature PropertyPanel::changed(const std::string& parameter, const Value& value)
     feature.parameters.erase(parameter);
   else
     feature.parameters[parameter] = value;
+  if (type_) feature.parameters.erase(givingWay(type_->playedBy, parameter, feature.parameters));
   return feature;
+}
+
+/// Something else was left out, so that what is set has an effect.
+void PropertyPanel::tellWhatGaveWay(const ParameterSpec& set, const Value& before) {
+  const Value& now = session_.document().at(shown_).parameters;
+  const std::string& other = set.name == type_->playedBy.parameter ? type_->playedBy.excludedBy : type_->playedBy.parameter;
+  if (set.name == other || !before.contains(other) || now.contains(other)) return;
+  const auto name = [](std::string written) {
+    ParameterSpec spec;
+    spec.name = std::move(written);
+    return registryText(label(spec));
+  };
+  emit hint(tr("%1 is left out: it does not go with %2 · Undo brings it back").arg(name(other), name(set.name)));
 }
 
 void PropertyPanel::preview(ParameterField* field, const Value& value) {
@@ -110,8 +135,10 @@ void PropertyPanel::commit(ParameterField* field, const Value& value) {
   const Document document =
       session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
+  const Value before = session_.document().at(shown_).parameters;
   session_.commit(document,
                   tr("Change %1 of %2").arg(registryText(label(field->spec())), qt(shownName(document.at(shown_)))));
+  if (type_) tellWhatGaveWay(field->spec(), before);
 }
 
 // The content of a file is kept in the document; it is read elsewhere than in the window's thread, while the user may go on.

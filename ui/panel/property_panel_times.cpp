@@ -8,8 +8,8 @@ namespace blossom::ui {
 
 /// False when the field shows no time of a frame.
 bool PropertyPanel::refreshTime(ParameterField& field) {
-  const auto now = time_.shownBy(field, session_.view(shown_).get());
-  if (now && !session_.coarse() && !field.editing() && field.value() != Value(*now)) field.setValue(*now);
+  const auto now = session_.coarse() ? time_.lastShownBy(field) : time_.shownBy(field, session_.view(shown_).get());
+  if (now && !field.editing() && field.value() != Value(*now)) field.setValue(*now);
   return now.has_value();
 }
 

@@ -41,10 +41,20 @@ const std::vector<double>* SequenceTime::timesFor(const ParameterField& field, c
   return timed ? &sequence->times : nullptr;
 }
 
-std::optional<double> SequenceTime::shownBy(const ParameterField& field, const FeatureView* view) const {
+double SequenceTime::timeNow(const std::vector<double>& times) const {
+  return times.at(alongside(static_cast<std::size_t>(frame_), static_cast<std::size_t>(frames_), times.size()));
+}
+
+std::optional<double> SequenceTime::shownBy(const ParameterField& field, const FeatureView* view) {
   const std::vector<double>* times = timesFor(field, view);
+  lastField_ = times ? &field : nullptr;
   if (!times) return std::nullopt;
-  return times->at(alongside(static_cast<std::size_t>(frame_), static_cast<std::size_t>(frames_), times->size()));
+  lastTimes_ = *times;
+  return timeNow(lastTimes_);
+}
+
+std::optional<double> SequenceTime::lastShownBy(const ParameterField& field) const {
+  return lastField_ == &field ? std::optional(timeNow(lastTimes_)) : std::nullopt;
 }
 
 std::optional<int> SequenceTime::frameFor(const ParameterField& field, const FeatureView* view, const Value& time,

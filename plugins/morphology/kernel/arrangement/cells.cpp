@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "core/parallel.h"
 #include "geometry/numeric/boxes.h"
 #include "geometry/numeric/union_find.h"
 
@@ -75,16 +76,30 @@ class Fan {
 /// The class of what lies behind all patches. (Patch 0 stands for it.)
 constexpr std::size_t inside = 0;
 
-void uniteAroundEdges(std::vector<AtEdge> tiles, const Planes& planes, Points& points, UnionFind& classes,
+/// Where the tiles of each edge begin, and the end.
+std::vector<std::size_t> edgesOf(const std::vector<AtEdge>& tiles) {
+  std::vector<std::size_t> starts;
+  for (std::size_t k = 0; k < tiles.size(); ++k)
+    if (k == 0 || tiles[k - 1].low != tiles[k].low || tiles[k - 1].high != tiles[k].high) starts.push_back(k);
+  starts.push_back(tiles.size());
+  return starts;
+}
+
+void uniteAroundEdges(std::vector<AtEdge> tiles, const Planes& planes, const Points& points, UnionFind& classes,
                       const Progress& progress) {
-  Fan fan(planes, points);
-  for (std::size_t from = 0, to = 0; from < tiles.size(); from = to) {
-    progress.check();
-    while (to < tiles.size() && tiles[to].low == tiles[from].low && tiles[to].high == tiles[from].high) ++to;
-    const std::span<AtEdge> around(tiles.data() + from, to - from);
-    fan.sort(around);
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      const AtEdge &a = around[k], &b = around[(k + 1) % around.size()];
+  const std::vector<std::size_t> starts = edgesOf(tiles);
+  const auto around = [&](std::size_t edge) {
+    return std::span(tiles).subspan(starts[edge], starts[edge + 1] - starts[edge]);
+  };
+  parallelFor(starts.size() - 1, 256, progress, [&](std::size_t first, std::size_t last) {
+    Points here(planes, &points);  // what one thread computes of points stays with it
+    Fan fan(planes, here);
+    for (std::size_t edge = first; edge < last; ++edge) fan.sort(around(edge));
+  });
+  for (std::size_t edge = 0; edge + 1 < starts.size(); ++edge) {
+    const std::span<const AtEdge> fan = around(edge);
+    for (std::size_t k = 0; k < fan.size(); ++k) {
+      const AtEdge &a = fan[k], &b = fan[(k + 1) % fan.size()];
       classes.unite(a.outwardAhead ? static_cast<std::size_t>(a.patch) : inside,
                     b.outwardAhead ? inside : static_cast<std::size_t>(b.patch));
     }

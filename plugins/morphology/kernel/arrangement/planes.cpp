@@ -39,6 +39,15 @@ Int128 wrappedDot(const Normal3& n, const Grid3& p) {
   return static_cast<Int128>(sum);
 }
 
+/// Of the normal and the offset, which is n . p modulo 2^128.
+std::uint64_t hashOf(const Plane& plane) {
+  std::uint64_t hash = 0;
+  for (const Int128 part : {plane.normal[0], plane.normal[1], plane.normal[2], wrappedDot(plane.normal, plane.point)})
+    for (const auto half : {static_cast<std::uint64_t>(part), static_cast<std::uint64_t>(part >> 64)})
+      hash = mixedHash(hash, half);
+  return hash;
+}
+
 Bounded3 aboutNormal(const Normal3& n) { return {rounded(n[0]), rounded(n[1]), rounded(n[2])}; }
 
 std::size_t largest(const Bounded3& n) {
@@ -49,14 +58,6 @@ std::size_t largest(const Bounded3& n) {
 }
 
 }  // namespace
-
-std::size_t Planes::Hash::operator()(const Key& key) const {
-  std::uint64_t sum = 0;
-  for (const Int128 part : {key.normal[0], key.normal[1], key.normal[2], key.offset})
-    for (const auto half : {static_cast<std::uint64_t>(part), static_cast<std::uint64_t>(part >> 64)})
-      sum = (std::rotl(sum, 5) ^ half) * 0x9E3779B97F4A7C15ULL;
-  return sum;
-}
 
 Planes::Added Planes::add(const Normal3& normal, const Grid3& point) {
   const auto divisor = static_cast<Int128>(
@@ -69,32 +70,27 @@ Planes::Added Planes::add(const Normal3& normal, const Grid3& point) {
   return {insert(plane), sameWay};
 }
 
-Planes::Key Planes::keyOf(const Plane& plane) { return {plane.normal, wrappedDot(plane.normal, plane.point)}; }
-
-/// The number of the same plane; -1 when there is none.
-int Planes::find(const Key& key, const Plane& plane) const {
+int Planes::find(std::uint64_t hash, const Plane& plane) const {
   if (base_)
-    if (const int known = base_->find(key, plane); known >= 0) return known;
-  const auto [from, to] = index_.equal_range(key);
-  for (auto it = from; it != to; ++it) {
-    // Offsets that are equal modulo 2^128 need not be equal.
-    const Grid3 away = plane.point - (*this)[it->second].point;
-    const Bounded apart = dot(plane.about, exactly(away));
-    if (!apart.decided() && dot(plane.normal, away) == 0) return it->second;
-  }
-  return -1;
+    if (const int known = base_->find(hash, plane); known >= 0) return known;
+  return index_.find(hash, [&](int number) {
+    const Plane& other = (*this)[number];
+    if (plane.normal != other.normal) return false;
+    const Grid3 away = plane.point - other.point;
+    return !dot(plane.about, exactly(away)).decided() && dot(plane.normal, away) == 0;
+  });
 }
 
 int Planes::insert(Plane plane) {
-  const Key key = keyOf(plane);
-  if (const int known = find(key, plane); known >= 0) return known;
+  const std::uint64_t hash = hashOf(plane);
+  if (const int known = find(hash, plane); known >= 0) return known;
   plane.axis = largest(plane.about);
   plane.u = (plane.axis + 1) % 3;
   plane.v = (plane.axis + 2) % 3;
   if (plane.normal[plane.axis] < 0) std::swap(plane.u, plane.v);
   const int made = static_cast<int>(size());
   planes_.push_back(plane);
-  index_.emplace(key, made);
+  index_.add(hash, made);
   return made;
 }
 

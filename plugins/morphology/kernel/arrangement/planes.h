@@ -1,7 +1,7 @@
 #pragma once
-#include <unordered_map>
 #include <vector>
 
+#include "kernel/arrangement/number_table.h"
 #include "kernel/arrangement/numbers.h"
 
 namespace blossom::morphology::arrangement {
@@ -58,23 +58,14 @@ class Planes {
   [[nodiscard]] int crossSign(int first, int second, std::size_t axis) const;
 
  private:
-  struct Key {
-    Normal3 normal{};
-    Int128 offset = 0;  ///< modulo 2^128
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Key&) const;
-  };
-
-  [[nodiscard]] static Key keyOf(const Plane&);
-  [[nodiscard]] int find(const Key&, const Plane&) const;
+  /// The number of the same plane; -1 when there is none.
+  [[nodiscard]] int find(std::uint64_t hash, const Plane&) const;
   int insert(Plane);
 
   const Planes* base_ = nullptr;
   int first_ = 0;  ///< number of the first plane that is not of the base
   std::vector<Plane> planes_;
-  std::unordered_multimap<Key, int, Hash> index_;
+  NumberTable index_;  ///< by normal and offset
 };
 
 }  // namespace blossom::morphology::arrangement

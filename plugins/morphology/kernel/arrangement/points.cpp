@@ -1,12 +1,15 @@
 #include "kernel/arrangement/points.h"
 
-#include <bit>
-
 namespace blossom::morphology::arrangement {
 
 namespace {
 
-std::uint64_t mixed(std::uint64_t sum, std::uint64_t value) { return (std::rotl(sum, 5) ^ value) * 0x9E3779B97F4A7C15ULL; }
+template <class T, std::size_t n>
+std::uint64_t hashOf(const std::array<T, n>& key) {
+  std::uint64_t hash = 0;
+  for (const T part : key) hash = mixedHash(hash, static_cast<std::uint64_t>(part));
+  return hash;
+}
 
 /// Larger than the error of a coordinate that is rounded from its exact value. Points are looked up in cells as large as the
 /// blur: equal ones then lie in one of them or in neighbours.
@@ -25,17 +28,6 @@ bool isRough(const Bounded3& p) {
 }
 
 }  // namespace
-
-std::size_t Points::Hash::operator()(const std::array<std::int64_t, 3>& cell) const {
-  std::uint64_t sum = 0;
-  for (const std::int64_t part : cell) sum = mixed(sum, static_cast<std::uint64_t>(part));
-  return sum;
-}
-std::size_t Points::Hash::operator()(const std::array<int, 4>& key) const {
-  std::uint64_t sum = 0;
-  for (const int part : key) sum = mixed(sum, static_cast<std::uint64_t>(part));
-  return sum;
-}
 
 Bounded3 Points::aboutOf(const Entry& entry) const {
   if (entry.kind == Kind::Grid) return exactly(entry.grid);
@@ -131,9 +123,8 @@ int Points::findAmong(const Points& points, const std::array<std::array<std::int
       if (which == 1 && cells[k][0] == cells[k][1]) fresh = false;
     }
     if (!fresh) continue;
-    const auto [from, to] = points.byPlace_.equal_range(cell);
-    for (auto it = from; it != to; ++it)
-      if (same(made, it->second)) return it->second;
+    const int known = points.byPlace_.find(hashOf(cell), [&](int point) { return same(made, point); });
+    if (known >= 0) return known;
   }
   return -1;
 }
@@ -154,25 +145,27 @@ int Points::insert(Entry made) {
     return known;
   }
   const int number = static_cast<int>(size());
-  byPlace_.emplace(home, number);
+  byPlace_.add(hashOf(home), number);
   entries_.push_back(std::move(made));
   return number;
 }
 
-std::array<int, 4> Points::originOf(const Entry& entry) {
+Points::Origin Points::originOf(const Entry& entry) {
   return {entry.from[0], entry.from[1], entry.from[2], entry.kind == Kind::Edge ? -1 : -2};
 }
 
-std::optional<int> Points::find(const std::array<int, 4>& origin) const {
+std::optional<int> Points::find(const Origin& origin) const {
   if (base_)
     if (const auto known = base_->find(origin)) return known;
-  const auto it = byOrigin_.find(origin);
-  return it == byOrigin_.end() ? std::nullopt : std::optional(it->second);
+  const int known =
+      byOrigin_.find(hashOf(origin), [&](int k) { return origins_[static_cast<std::size_t>(k)].first == origin; });
+  return known < 0 ? std::nullopt : std::optional(origins_[static_cast<std::size_t>(known)].second);
 }
 
-int Points::found(const std::array<int, 4>& origin, Entry made) {
+int Points::found(const Origin& origin, Entry made) {
   const int number = insert(std::move(made));
-  byOrigin_.emplace(origin, number);
+  byOrigin_.add(hashOf(origin), static_cast<int>(origins_.size()));
+  origins_.emplace_back(origin, number);
   return number;
 }
 

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "kernel/arrangement/number_table.h"
 #include "kernel/arrangement/planes.h"
 
 namespace blossom::morphology::arrangement {
@@ -72,11 +74,9 @@ class Points {
     std::vector<int> planes;
     std::unique_ptr<Exact> exact;
   };
+  /// Two points and a plane, or three planes, and which of both it is.
+  using Origin = std::array<int, 4>;
   using Cell = std::array<std::int64_t, 3>;
-  struct Hash {
-    std::size_t operator()(const std::array<std::int64_t, 3>&) const;
-    std::size_t operator()(const std::array<int, 4>&) const;
-  };
 
   [[nodiscard]] bool isOfBase(int point) const { return point < first_; }
   [[nodiscard]] const Entry& entry(int point) const {
@@ -93,11 +93,11 @@ class Points {
   const Exact& exact(int point);
   [[nodiscard]] bool same(Entry&, int other);
   void place(Entry&) const;
-  [[nodiscard]] std::optional<int> find(const std::array<int, 4>& origin) const;
+  [[nodiscard]] std::optional<int> find(const Origin&) const;
   [[nodiscard]] int findAmong(const Points&, const std::array<std::array<std::int64_t, 2>, 3>& cells, Entry&);
   int insert(Entry);
-  int found(const std::array<int, 4>& origin, Entry);
-  static std::array<int, 4> originOf(const Entry&);
+  int found(const Origin&, Entry);
+  static Origin originOf(const Entry&);
 
   const Planes& planes_;
   const Points* base_ = nullptr;
@@ -105,8 +105,9 @@ class Points {
   std::unordered_map<int, Addition> additions_;
   std::vector<int> taken_;  ///< numbers of its own points in what has taken them
   std::vector<Entry> entries_;
-  std::unordered_map<std::array<int, 4>, int, Hash> byOrigin_;
-  std::unordered_multimap<Cell, int, Hash> byPlace_;
+  std::vector<std::pair<Origin, int>> origins_;  ///< with the number of the point; a point can have several
+  NumberTable byOrigin_;                         ///< of `origins_`
+  NumberTable byPlace_;                          ///< by cell
 };
 
 }  // namespace blossom::morphology::arrangement

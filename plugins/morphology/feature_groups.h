@@ -15,7 +15,7 @@ Evaluated evaluatedFrom(MorphologyResult, const std::vector<double>& times = {})
 
 /// Cells of a preview; 0: the solid itself. The window sets it while something is dragged
 /// (document/evaluation/quick_preview.h).
-inline ParameterSpec previewCells() { return count(0, 200); }
+inline ParameterSpec previewCells() { return count(0, 100); }
 inline constexpr const char* previewHelp =
     "Makes a preview of so many cells along the longest side, which is quick for any shapes; 0: the solid itself.";
 

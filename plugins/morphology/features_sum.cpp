@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <functional>
 
@@ -29,8 +31,17 @@ struct ShownSumParameters {
   int preview = 0;
 };
 
-/// {"corner_and_face": [[[x, y, z], ..], ..], ..}; and where the reflex corners are.
-void tellParts(const SumParts& parts, Value& stats) {
+/// More lines, or more faces that are drawn anew with each picture, hide the shape and hold up the window.
+std::size_t mostShown(ShownFacets shown) { return shown == ShownFacets::Outlines ? 4000 : 20000; }
+
+/// {"corner_and_face": [[[x, y, z], ..], ..], ..}; and where the reflex corners are. Of too many facets only some are told.
+void tellParts(const SumParts& parts, ShownFacets shown, Evaluated& out) {
+  std::size_t total = 0;
+  for (const auto& family : parts.facets) total += family.size();
+  const std::size_t every = (total + mostShown(shown) - 1) / mostShown(shown);
+  if (every > 1)
+    out.warnings.push_back(
+        fmt::format("The picture shows one in {} of the {} facets that the sum is made of.", every, total));
   const auto coordinates = [](const std::vector<Vec3>& points) {
     Value all = Value::array();
     for (const Vec3& p : points) all.push_back({p.x(), p.y(), p.z()});
@@ -40,9 +51,10 @@ void tellParts(const SumParts& parts, Value& stats) {
   Value facets = Value::object();
   for (std::size_t family = 0; family < families.size(); ++family) {
     Value& told = facets[families[family]] = Value::array();
-    for (const auto& facet : parts.facets[family]) told.push_back(coordinates(facet));
+    for (std::size_t k = 0; k < parts.facets[family].size(); k += every)
+      told.push_back(coordinates(parts.facets[family][k]));
   }
-  stats["parts"] = {{"facets", std::move(facets)}, {"reflex", coordinates(parts.reflex)}};
+  out.stats["parts"] = {{"facets", std::move(facets)}, {"reflex", coordinates(parts.reflex)}};
 }
 
 Evaluated summed(const ShownSumParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -59,7 +71,7 @@ Evaluated summed(const ShownSumParameters& p, const Inputs& inputs, const Progre
   const auto operand = [&](std::size_t slot, const char* name) {
     return operandOf(inputs.of(slot)[0], {p.deviation, name, false}, progress.part(0.6, 0.7));
   };
-  tellParts(partsOfSum(operand(0, "The first shape"), operand(1, "The second shape"), progress.part(0.7, 1)), out.stats);
+  tellParts(partsOfSum(operand(0, "The first shape"), operand(1, "The second shape"), progress.part(0.7, 1)), p.facets, out);
   return out;
 }
 

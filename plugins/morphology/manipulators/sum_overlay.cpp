@@ -23,8 +23,7 @@ namespace {
 using Outline = std::vector<Vec3>;
 using Outlines = std::vector<Outline>;
 
-constexpr std::size_t mostOutlines = 4000;  // more lines than that hide the shape
-constexpr double dashesOfSize = 80;         // along the diagonal of the sum
+constexpr double dashesOfSize = 80;  // along the diagonal of the sum
 constexpr double reflexPixels = 8;
 
 Outline outlineOf(const Value& points) {
@@ -116,9 +115,9 @@ class SumOverlay {
   void addOutlines() {
     std::vector<std::vector<Vec3>> dashes;
     const double step = bounds_.diagonal() / dashesOfSize;
-    for (std::size_t k = 0; k < std::min(all_.size(), mostOutlines); ++k)
-      for (std::size_t i = 0; i < all_[k].size(); ++i)
-        addDashes(all_[k][i], all_[k][(i + 1) % all_[k].size()], step, dashes);
+    for (const Outline& outline : all_)
+      for (std::size_t i = 0; i < outline.size(); ++i)
+        addDashes(outline[i], outline[(i + 1) % outline.size()], step, dashes);
     props_.push_back(ui::linesProp(dashes, context_.look.edge, context_.pixelRatio));
   }
 

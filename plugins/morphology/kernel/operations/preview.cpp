@@ -67,7 +67,8 @@ MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vec
   for (Vec3& p : made.points) p = middle + factor * p;
   MorphologyResult result{{std::move(made)}, {}, {}};
   result.stats.way = Way::Field;
-  result.warnings.push_back(fmt::format("This is a preview of {} cells: it is off by about {:.2g} mm.", cells, cell));
+  result.warnings.push_back(
+      fmt::format("This is a preview on a grid of {} along its longest side: it is off by about {:.2g} mm.", cells, cell));
   return result;
 }
 

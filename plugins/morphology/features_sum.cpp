@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -38,7 +39,7 @@ std::size_t mostShown(ShownFacets shown) { return shown == ShownFacets::Outlines
 void tellParts(const SumParts& parts, ShownFacets shown, Evaluated& out) {
   std::size_t total = 0;
   for (const auto& family : parts.facets) total += family.size();
-  const std::size_t every = (total + mostShown(shown) - 1) / mostShown(shown);
+  const std::size_t every = std::max<std::size_t>(1, (total + mostShown(shown) - 1) / mostShown(shown));
   if (every > 1)
     out.warnings.push_back(
         fmt::format("The picture shows one in {} of the {} facets that the sum is made of.", every, total));

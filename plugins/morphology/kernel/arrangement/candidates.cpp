@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/parallel.h"
+
 namespace blossom::morphology::arrangement {
 
 namespace {
@@ -27,15 +29,46 @@ class Sums {
   std::unordered_map<std::size_t, int> made_;
 };
 
-class Search {
+/// Which of two normals, d x g of their directions and the opposite one, support two edges.
+struct Ways {
+  bool along = false, against = false;
+};
+
+Grid3 directionOf(const Features& shape, const Features::Edge& edge) {
+  return shape.points[static_cast<std::size_t>(edge.to)] - shape.points[static_cast<std::size_t>(edge.from)];
+}
+
+int slopeOf(const Features& shape, int face, const Grid3& d) {
+  if (face == Features::none) return 0;
+  const Features::Face& here = shape.faces[static_cast<std::size_t>(face)];
+  return slope(here.normal, here.about, d);
+}
+
+/// A normal +-(d x g) supports an edge along d when g does not rise over one of its faces and does not fall over the other.
+Ways supporting(const Features& a, const Features::Edge& e, const Features& b, const Features::Edge& f) {
+  if (!e.isConvex || !f.isConvex) return {};
+  const Grid3 d = directionOf(a, e), g = directionOf(b, f);
+  const int leftA = slopeOf(a, e.left, g), rightA = slopeOf(a, e.right, g);
+  if (leftA * rightA > 0) return {};
+  const int leftB = slopeOf(b, f.left, d), rightB = slopeOf(b, f.right, d);
+  if (leftB * rightB > 0) return {};
+  return {leftA >= 0 && rightA <= 0 && leftB <= 0 && rightB >= 0, leftA <= 0 && rightA >= 0 && leftB >= 0 && rightB <= 0};
+}
+
+bool supports(const Features::Face& face, const Features::Corner& corner) {
+  return corner.isTouched && std::all_of(corner.around.begin(), corner.around.end(),
+                                         [&](const Grid3& d) { return slope(face.normal, face.about, d) <= 0; });
+}
+
+/// Makes the facets, one after the other: points and planes are shared.
+class FacetMaker {
  public:
-  Search(const Features& a, const Features& b, Planes& planes, Points& points)
+  FacetMaker(const Features& a, const Features& b, Planes& planes, Points& points)
       : a_(a), b_(b), planes_(planes), points_(points), sums_(a, b, points) {}
 
+  /// @pre the corner is supported
   void faceAtCorner(int face, int corner, bool faceOfA) {
-    const Features &flat = faceOfA ? a_ : b_, &sharp = faceOfA ? b_ : a_;
-    const Features::Face& here = flat.faces[static_cast<std::size_t>(face)];
-    if (!supports(here, sharp.corners[static_cast<std::size_t>(corner)])) return;
+    const Features::Face& here = (faceOfA ? a_ : b_).faces[static_cast<std::size_t>(face)];
     Facet facet;
     facet.family = faceOfA ? Family::FaceAndCorner : Family::CornerAndFace;
     for (std::size_t k = 0; k < 3; ++k)
@@ -43,40 +76,17 @@ class Search {
     add(facet, here.normal);
   }
 
-  void edgeAtEdge(int edgeOfA, int edgeOfB) {
+  void edgeAtEdge(int edgeOfA, int edgeOfB, Ways ways) {
     const Features::Edge &e = a_.edges[static_cast<std::size_t>(edgeOfA)], &f = b_.edges[static_cast<std::size_t>(edgeOfB)];
-    if (e.isConvex && f.isConvex) edgeAtEdge(e, f);
+    const Normal3 normal = cross(directionOf(a_, e), directionOf(b_, f));
+    if (isZero(normal)) return;
+    if (ways.along) add(parallelogram(e, f, true), normal);
+    if (ways.against) add(parallelogram(e, f, false), negated(normal));
   }
 
-  std::vector<Facet> found() { return std::move(found_); }
+  std::vector<Facet> made() { return std::move(made_); }
 
  private:
-  static bool supports(const Features::Face& face, const Features::Corner& corner) {
-    return corner.isTouched && std::all_of(corner.around.begin(), corner.around.end(),
-                                           [&](const Grid3& d) { return slope(face.normal, face.about, d) <= 0; });
-  }
-  static Grid3 along(const Features& solid, const Features::Edge& edge) {
-    return solid.points[static_cast<std::size_t>(edge.to)] - solid.points[static_cast<std::size_t>(edge.from)];
-  }
-  static int slopeOf(const Features& solid, int face, const Grid3& d) {
-    if (face == Features::none) return 0;
-    const Features::Face& here = solid.faces[static_cast<std::size_t>(face)];
-    return slope(here.normal, here.about, d);
-  }
-
-  /// The normal +-(d x e) supports an edge along d when e does not rise over one of its faces and does not fall over the
-  /// other.
-  void edgeAtEdge(const Features::Edge& e, const Features::Edge& f) {
-    const Grid3 d = along(a_, e), g = along(b_, f);
-    const int leftA = slopeOf(a_, e.left, g), rightA = slopeOf(a_, e.right, g);
-    if (leftA * rightA > 0) return;
-    const int leftB = slopeOf(b_, f.left, d), rightB = slopeOf(b_, f.right, d);
-    if (leftB * rightB > 0) return;
-    const Normal3 normal = cross(d, g);
-    if (isZero(normal)) return;
-    if (leftA >= 0 && rightA <= 0 && leftB <= 0 && rightB >= 0) add(parallelogram(e, f, true), normal);
-    if (leftA <= 0 && rightA >= 0 && leftB >= 0 && rightB <= 0) add(parallelogram(e, f, false), negated(normal));
-  }
   Facet parallelogram(const Features::Edge& e, const Features::Edge& f, bool firstThenSecond) {
     Facet facet;
     facet.count = 4;
@@ -89,29 +99,57 @@ class Search {
     facet.plane = plane;
     facet.sameWay = sameWay;
     for (std::size_t k = 0; k < facet.count; ++k) points_.note(facet.corners[k], plane);
-    found_.push_back(facet);
+    made_.push_back(facet);
   }
 
   const Features &a_, &b_;
   Planes& planes_;
   Points& points_;
   Sums sums_;
-  std::vector<Facet> found_;
+  std::vector<Facet> made_;
 };
+
+/// test(pair) for all pairs, beside each other.
+template <class Answer, class Test>
+std::vector<Answer> tested(const std::vector<FeaturePairs::Pair>& pairs, const Progress& progress, const Test& test) {
+  std::vector<Answer> answers(pairs.size());
+  parallelFor(pairs.size(), 2048, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) answers[k] = test(pairs[k]);
+  });
+  return answers;
+}
 
 }  // namespace
 
 std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs& pairs, Planes& planes,
                               Points& points, const Progress& progress) {
-  Search search(a, b, planes, points);
-  std::size_t count = 0;
-  const auto poll = [&] {
-    if (++count % 1024 == 0) progress.check();
+  FacetMaker maker(a, b, planes, points);
+  const auto supported = [](const Features& flat, int face, const Features& sharp, int corner) -> char {
+    return supports(flat.faces[static_cast<std::size_t>(face)], sharp.corners[static_cast<std::size_t>(corner)]) ? 1 : 0;
   };
-  for (const auto& [face, corner] : pairs.facesAndCorners) poll(), search.faceAtCorner(face, corner, true);
-  for (const auto& [corner, face] : pairs.cornersAndFaces) poll(), search.faceAtCorner(face, corner, false);
-  for (const auto& [e, f] : pairs.edges) poll(), search.edgeAtEdge(e, f);
-  return search.found();
+  const auto onA = tested<char>(pairs.facesAndCorners, progress,
+                                [&](const FeaturePairs::Pair& pair) { return supported(a, pair[0], b, pair[1]); });
+  const auto onB = tested<char>(pairs.cornersAndFaces, progress,
+                                [&](const FeaturePairs::Pair& pair) { return supported(b, pair[1], a, pair[0]); });
+  const auto ways = tested<Ways>(pairs.edges, progress, [&](const FeaturePairs::Pair& pair) {
+    return supporting(a, a.edges[static_cast<std::size_t>(pair[0])], b, b.edges[static_cast<std::size_t>(pair[1])]);
+  });
+  const auto poll = [&](std::size_t k) {
+    if (k % 1024 == 0) progress.check();
+  };
+  for (std::size_t k = 0; k < onA.size(); ++k) {
+    poll(k);
+    if (onA[k]) maker.faceAtCorner(pairs.facesAndCorners[k][0], pairs.facesAndCorners[k][1], true);
+  }
+  for (std::size_t k = 0; k < onB.size(); ++k) {
+    poll(k);
+    if (onB[k]) maker.faceAtCorner(pairs.cornersAndFaces[k][1], pairs.cornersAndFaces[k][0], false);
+  }
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    poll(k);
+    if (ways[k].along || ways[k].against) maker.edgeAtEdge(pairs.edges[k][0], pairs.edges[k][1], ways[k]);
+  }
+  return maker.made();
 }
 
 }  // namespace blossom::morphology::arrangement

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/parallel.h"
 #include "geometry/numeric/box_tree.h"
 #include "kernel/side_by_side.h"
 
@@ -140,60 +141,52 @@ class OnSphere {
   std::vector<Direction> normals_;
 };
 
+const Box3* boxAt(const std::vector<Box3>& boxes, std::size_t k) { return &boxes[k]; }
+const Box3* boxAt(const std::vector<std::optional<Box3>>& boxes, std::size_t k) { return boxes[k] ? &*boxes[k] : nullptr; }
+
 /// Items of two lists whose boxes meet, in the order of the first list.
-class NearBoxes {
- public:
-  explicit NearBoxes(const Progress& progress) : progress_(progress) {}
-
-  template <class First, class Second>
-  [[nodiscard]] std::vector<FeaturePairs::Pair> of(const std::vector<First>& first,
-                                                   const std::vector<Second>& second) const {
-    std::vector<Box3> boxes;
-    std::vector<int> numbers;
-    each(second, [&](int number, const Box3& box) {
-      numbers.push_back(number);
-      boxes.push_back(box);
-    });
-    const BoxTree<3> tree(boxes, 4, progress_);
-    std::vector<FeaturePairs::Pair> pairs;
+template <class First, class Second>
+std::vector<FeaturePairs::Pair> meeting(const std::vector<First>& first, const std::vector<Second>& second,
+                                        const Progress& progress) {
+  std::vector<Box3> boxes;
+  std::vector<int> numbers;
+  for (std::size_t k = 0; k < second.size(); ++k)
+    if (const Box3* const box = boxAt(second, k)) {
+      numbers.push_back(static_cast<int>(k));
+      boxes.push_back(*box);
+    }
+  const BoxTree<3> tree(boxes, 4, progress);
+  constexpr std::size_t itemsOfPart = 128;
+  std::vector<std::vector<FeaturePairs::Pair>> parts((first.size() + itemsOfPart - 1) / itemsOfPart);
+  parallelFor(parts.size(), 1, progress, [&](std::size_t from, std::size_t to) {
     std::vector<int> met;
-    each(first, [&](int number, const Box3& box) {
-      if (number % 256 == 0) progress_.check();
-      met.clear();
-      tree.meeting(box, [&](std::size_t k) {
-        if (box.intersects(boxes[k])) met.push_back(numbers[k]);
-      });
-      std::sort(met.begin(), met.end());
-      for (const int other : met) pairs.push_back({number, other});
-    });
-    return pairs;
-  }
-
- private:
-  template <class Visit>
-  static void each(const std::vector<Box3>& boxes, const Visit& visit) {
-    for (std::size_t k = 0; k < boxes.size(); ++k) visit(static_cast<int>(k), boxes[k]);
-  }
-  template <class Visit>
-  static void each(const std::vector<std::optional<Box3>>& boxes, const Visit& visit) {
-    for (std::size_t k = 0; k < boxes.size(); ++k)
-      if (boxes[k]) visit(static_cast<int>(k), *boxes[k]);
-  }
-
-  const Progress& progress_;
-};
+    for (std::size_t part = from; part < to; ++part)
+      for (std::size_t k = part * itemsOfPart; k < std::min(first.size(), (part + 1) * itemsOfPart); ++k) {
+        const Box3* const box = boxAt(first, k);
+        if (!box) continue;
+        met.clear();
+        tree.meeting(*box, [&](std::size_t other) {
+          if (box->intersects(boxes[other])) met.push_back(numbers[other]);
+        });
+        std::sort(met.begin(), met.end());
+        for (const int other : met) parts[part].push_back({static_cast<int>(k), other});
+      }
+  });
+  std::vector<FeaturePairs::Pair> pairs;
+  for (const auto& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
+  return pairs;
+}
 
 }  // namespace
 
 FeaturePairs nearPairs(const Features& a, const Features& b, double rounding, const Progress& progress) {
   const OnSphere first(a, rounding), second(b, rounding);
-  const NearBoxes near(progress);
   FeaturePairs pairs;
   sideBySide(
-      progress, [&] { pairs.edges = near.of(first.edges(), second.edges()); },
+      progress, [&] { pairs.edges = meeting(first.edges(), second.edges(), progress); },
       [&] {
-        pairs.facesAndCorners = near.of(first.faces(), second.corners());
-        pairs.cornersAndFaces = near.of(first.corners(), second.faces());
+        pairs.facesAndCorners = meeting(first.faces(), second.corners(), progress);
+        pairs.cornersAndFaces = meeting(first.corners(), second.faces(), progress);
       });
   return pairs;
 }

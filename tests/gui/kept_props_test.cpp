@@ -1,7 +1,9 @@
 // What tools draw: actors stay from frame to frame, and what is seen is always what was given last, in its order.
 #include <vtkActor.h>
+#include <vtkActor2D.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -11,6 +13,7 @@
 #include "support/test_main.h"
 #include "ui/tools/view_props.h"
 #include "ui/view/kept_props.h"
+#include "ui/view/prop_share.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -47,6 +50,7 @@ class KeptPropsTest : public QObject {
   void whatIsOfAnotherSortIsReplacedInItsOrder();
   void theDataGivenStayAsTheyWere();
   void labelsAreAlwaysTheNewOnes();
+  void halfThePixelsMakeHalfTheSize();
 
  private:
   void show(const Props& props) { replaceProps(*renderer_, shown_, props); }
@@ -120,6 +124,24 @@ void KeptPropsTest::labelsAreAlwaysTheNewOnes() {
   show({linesProp({{{0, 0, 0}, {2, 0, 0}}}, red, 1), next});
   QCOMPARE(shown_, (Props{first[0], next}));
   QCOMPARE(inOrder(*renderer_), shown_);
+}
+
+/// In every frame that is drawn at half the size, of actors that stay and of new ones; and back again.
+void KeptPropsTest::halfThePixelsMakeHalfTheSize() {
+  const auto heightOf = [](const PropPtr& flat) {
+    auto* const mapper = vtkPolyDataMapper2D::SafeDownCast(vtkActor2D::SafeDownCast(flat)->GetMapper());
+    double bounds[6];
+    mapper->GetInput()->GetBounds(bounds);
+    return bounds[3] - bounds[2];
+  };
+  const Props props{linesProp({{{0, 0, 0}, {1, 0, 0}}}, red, 3), pointsProp({{5, 0, 0}}, red, 10), label("a")};
+  const double height = heightOf(props[2]);
+  for (const double share : {0.5, 0.5, 1.0, 0.5, 1.0}) {
+    for (const PropPtr& prop : props) drawAtShare(*prop, share);
+    QCOMPARE(static_cast<double>(actorOf(props[0]).GetProperty()->GetLineWidth()), 3 * share);
+    QCOMPARE(static_cast<double>(actorOf(props[1]).GetProperty()->GetPointSize()), 10 * share);
+    QCOMPARE(heightOf(props[2]), height * share);
+  }
 }
 
 BLOSSOM_TEST_RUN(KeptPropsTest, (&blossom::test::runTest<KeptPropsTest, QApplication>))

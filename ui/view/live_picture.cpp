@@ -111,9 +111,10 @@ void LivePicture::beginFrame() {
     smoothing_.restart();
   }
   frameHaste_ = moving_ ? haste_ : Haste::None;
-  subject_.prepareFrame(smoothing_.offset(), picture_.size(), frameHaste_ != Haste::None);
+  const int part = frameHaste_ == Haste::Half ? 2 : 1;
+  subject_.prepareFrame(smoothing_.offset(), picture_.size(), frameHaste_ != Haste::None, 1.0 / part);
   outdated_ = false;
-  frameSize_ = frameHaste_ == Haste::Half ? picture_.size() / 2 : picture_.size();
+  frameSize_ = picture_.size() / part;
   frame_ = painter_->begin(&subject_.renderer(), frameSize_, multisampled_ ? samplesPerPixel : 0);
   if (painter_->finished(*frame_, soon)) return takeFrame();
   arrival_.start();

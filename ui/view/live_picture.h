@@ -33,8 +33,8 @@ class PictureSubject {
   [[nodiscard]] virtual bool empty() const = 0;
   [[nodiscard]] virtual bool canBeCoarser() const = 0;  ///< it has a picture of fewer triangles
   /// Called before each frame. @param offset device pixels by which the frame is to lie aside  @param coarse it is to be
-  /// drawn of fewer triangles, where it can
-  virtual void prepareFrame(QPointF offset, QSize picture, bool coarse) = 0;
+  /// drawn of fewer triangles, where it can  @param share of the pixels along each side that are drawn
+  virtual void prepareFrame(QPointF offset, QSize picture, bool coarse, double share) = 0;
 };
 
 /// The picture that a widget shows of a renderer. Frames are begun here, drawn beside what the window does, and shown when

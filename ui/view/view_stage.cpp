@@ -10,6 +10,7 @@
 
 #include "ui/view/camera_control.h"
 #include "ui/view/kept_props.h"
+#include "ui/view/prop_share.h"
 
 namespace blossom::ui {
 
@@ -39,9 +40,21 @@ ItemsChange ViewStage::setItems(const std::vector<ViewItem>& items) {
   return change;
 }
 
-void ViewStage::setOverlay(Props props) { replaceProps(*renderer_, overlay_, std::move(props)); }
+void ViewStage::replace(Props& shown, Props now) {
+  for (const auto& prop : now) drawAtShare(*prop, share_);
+  replaceProps(*renderer_, shown, std::move(now));
+}
 
-void ViewStage::setToolProps(Props props) { replaceProps(*renderer_, toolProps_, std::move(props)); }
+void ViewStage::setOverlay(Props props) { replace(overlay_, std::move(props)); }
+
+void ViewStage::setToolProps(Props props) { replace(toolProps_, std::move(props)); }
+
+void ViewStage::setShare(double share) {
+  if (share == share_) return;
+  share_ = share;
+  for (const Props* props : {&overlay_, &toolProps_})
+    for (const auto& prop : *props) drawAtShare(*prop, share);
+}
 
 void ViewStage::setStandIn(const std::optional<StandIn>& standIn) {
   if (items_.setStandIn(standIn)) keepGridLast();

@@ -57,10 +57,13 @@ class ViewStage {
   [[nodiscard]] std::vector<Vec3> points() const;  ///< of all that is shown, and of what is to come
 
   void bringNextPiece();
+  /// What lies over the scene looks as large as ever when only a share of the pixels along each side is drawn.
+  void setShare(double);
   /// Places the camera, the grid and the cuts for a frame that lies `offset` device pixels aside in a picture.
   void prepare(const CameraControl&, QSize view, QPointF offset, QSize picture);
 
  private:
+  void replace(Props& shown, Props now);
   void applyLook();
   bool showMarks();
   void keepGridLast();
@@ -73,7 +76,7 @@ class ViewStage {
   Props overlay_, toolProps_;
   GroundGrid grid_;
   Look look_ = Look::dark();
-  double scale_ = 1;
+  double scale_ = 1, share_ = 1;
   std::optional<CutPlane> section_;
 };
 

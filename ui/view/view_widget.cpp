@@ -76,8 +76,9 @@ void ViewWidget::followCurvature() {
   legend_->showScale(surfaceDisplay(displayMode()), items.hasStandIn() ? std::nullopt : items.curvatureRange());
 }
 
-void ViewWidget::prepareFrame(QPointF offset, QSize picture, bool coarse) {
+void ViewWidget::prepareFrame(QPointF offset, QSize picture, bool coarse, double share) {
   bringToolUpToDate();
+  stage_.setShare(share);
   stage_.items().drawCoarsely(coarse);
   frameTurn_ = camera_.turn();
   stage_.prepare(camera_, size(), offset, picture);

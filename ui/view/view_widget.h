@@ -141,7 +141,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void bringNextPiece() override { stage_.bringNextPiece(); }
   [[nodiscard]] bool empty() const override { return stage_.items().empty(); }
   [[nodiscard]] bool canBeCoarser() const override { return stage_.items().canBeCoarser(); }
-  void prepareFrame(QPointF offset, QSize picture, bool coarse) override;
+  void prepareFrame(QPointF offset, QSize picture, bool coarse, double share) override;
 
   void paintProblem(const QPaintEvent&);
   [[nodiscard]] std::vector<Vec3> everything();

@@ -129,6 +129,20 @@ class MorphologyRefusalTest : public QObject {
         made("solid-sum", Value::object(), {together(unitCube(), movedBy(unitCube(), {0.5, 0, 0})), unitCube()});
     COMPARE_NEAR(volume(overlapping), 2.5 * 4, 1e-12);
     QVERIFY(overlapping.warnings.size() == 1);
+    // Each shell by where it lies: the sign of all volumes together tells nothing of one of them.
+    const Mesh large = cuboid({0, 0, 0}, {10, 10, 10}), small = cuboid({20, 0, 0}, {24, 4, 4});
+    const Mesh hollow = together(large, insideOut(cuboid({3, 3, 3}, {7, 7, 7})));
+    const Evaluated beside = made("solid-sum", Value::object(), {together(large, insideOut(small)), unitCube()});
+    COMPARE_NEAR(volume(beside), 11.0 * 11 * 11 + 5 * 5 * 5, 1e-9);
+    QCOMPARE(beside.warnings.size(), std::size_t{1});
+    QVERIFY(beside.warnings.front().find("has a body near (2") != std::string::npos);
+    const Evaluated apart = made("solid-sum", Value::object(), {together(small, insideOut(hollow)), unitCube()});
+    COMPARE_NEAR(volume(apart), 11.0 * 11 * 11 - 3 * 3 * 3 + 5 * 5 * 5, 1e-9);
+    QCOMPARE(apart.warnings.size(), std::size_t{2});
+    const Evaluated hollowTurned = made("solid-sum", Value::object(), {insideOut(hollow), unitCube()});
+    COMPARE_NEAR(volume(hollowTurned), 11.0 * 11 * 11 - 3 * 3 * 3, 1e-9);
+    QCOMPARE(hollowTurned.warnings.size(), std::size_t{1});
+    QVERIFY(made("solid-sum", Value::object(), {hollow, unitCube()}).warnings.empty());
     // Points that several faces have of their own, as STL writes them.
     Mesh soup;
     const Mesh cube = triangulated(unitCube()).first;

@@ -14,6 +14,7 @@ struct PreviewedParameters {
 FeatureType previewedType(const char* id) {
   return feature<PreviewedParameters>(id, "Slow", "Takes long.")
       .produces({ShapeKind::Mesh})
+      .previewedBy("preview")
       .input({.name = "shape", .help = "Any.", .kinds = {}, .minimum = 0, .maximum = anyNumber})
       .parameter("preview", &PreviewedParameters::preview, count(0, 100), "Cells; 0: none.")
       .evaluate([](const PreviewedParameters&, const Inputs&, const Progress&) { return Evaluated{}; });

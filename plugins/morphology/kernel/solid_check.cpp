@@ -16,6 +16,7 @@
 #include "kernel/arrangement/numbers.h"
 #include "kernel/manifold.h"
 #include "kernel/self_crossing.h"
+#include "kernel/turned_shells.h"
 
 namespace blossom::morphology {
 
@@ -113,14 +114,6 @@ Error enclosesNothing(const Subject& subject) {
                "Choose a solid or a closed mesh.");
 }
 
-double volumeOf(const Mesh& triangles, const MeshTopology& topology, int component) {
-  Mesh part;
-  part.points = triangles.points;
-  for (std::size_t f = 0; f < triangles.faceCount(); ++f)
-    if (topology.componentOfFace[f] == component) part.addFace(triangles.face(f));
-  return signedVolume(part);
-}
-
 /// Whether the two sides of each shell on a grid are nearer to each other than a step, on average over its area. In whole
 /// numbers: doubles would not know what is left of the volume.
 std::vector<bool> shellsThinnerThan(double step, const Mesh& mesh, const MeshTopology& topology) {
@@ -164,26 +157,6 @@ Mesh withoutSlivers(Mesh triangles, double step, const Progress& progress) {
   return manifoldOf(result, progress);
 }
 
-Mesh reversed(const Mesh& mesh) {
-  Mesh result = mesh;
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    std::reverse(result.faceVertices.begin() + mesh.faceStarts[f], result.faceVertices.begin() + mesh.faceStarts[f + 1]);
-  return result;
-}
-
-/// Turns a solid inside out when none of its shells looks outwards.
-void turnOutwards(CheckedSolid& solid, const Subject& subject) {
-  if (signedVolume(solid.triangles) >= 0) return;
-  const MeshTopology topology = meshTopology(solid.triangles);
-  for (std::size_t c = 0; c < topology.components.size(); ++c)
-    if (volumeOf(solid.triangles, topology, static_cast<int>(c)) > 0)
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("{} has more void than solid: some shells look outwards, some inwards.", subject.name),
-                  "Orient all faces outwards, those of voids towards the void.");
-  solid.triangles = reversed(solid.triangles);
-  solid.warnings.push_back(fmt::format("{} was inside out and has been turned.", subject.name));
-}
-
 }  // namespace
 
 void refuseUnusable(const Mesh& mesh, const Subject& subject) {
@@ -221,8 +194,8 @@ CheckedSolid checkedSolid(const Mesh& mesh, double step, const Subject& subject,
   CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};
   solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step, progress);
   const double size = bounds(solid.triangles).diagonal();
-  if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size) throw enclosesNothing(subject);
-  turnOutwards(solid, subject);
+  turnOutwards(solid, subject, progress);
+  if (signedVolume(solid.triangles) <= 1e-12 * size * size * size) throw enclosesNothing(subject);
   refuseCrossing(solid, subject, progress);
   return solid;
 }

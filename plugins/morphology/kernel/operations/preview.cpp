@@ -12,6 +12,7 @@
 #include "kernel/operations/work.h"
 #include "kernel/preview/field_sum.h"
 #include "kernel/solid_check.h"
+#include "kernel/turned_shells.h"
 
 namespace blossom::morphology {
 
@@ -25,13 +26,12 @@ struct WeightedShape {
   Vec3 middle = Vec3::Zero();
 };
 
-WeightedShape centred(const Operand& operand, double weight) {
+WeightedShape centred(const Operand& operand, double weight, const Progress& progress) {
   if (operand.form == Operand::Form::Body) refuseUnusable(operand.mesh, {operand.name});
-  WeightedShape shape{triangulated(operand.mesh).first, operand.pieces, weight, operand.bounds().center()};
+  CheckedSolid solid{triangulated(operand.mesh, progress).first, {}};
+  if (solid.triangles.faceCount() > 0) turnOutwards(solid, {operand.name}, progress);
+  WeightedShape shape{std::move(solid.triangles), operand.pieces, weight, operand.bounds().center()};
   for (Vec3& p : shape.triangles.points) p -= shape.middle;
-  if (signedVolume(shape.triangles) < 0)  // inside out
-    for (std::size_t f = 0; f < shape.triangles.faceCount(); ++f)
-      std::swap(shape.triangles.faceVertices[3 * f], shape.triangles.faceVertices[3 * f + 1]);
   for (auto& piece : shape.pieces)
     for (Vec3& p : piece) p -= shape.middle;
   return shape;
@@ -46,7 +46,7 @@ MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vec
   double volume = 0;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     if (!(weights[k] > 0)) continue;
-    terms.push_back(centred(shapes[k], weights[k]));
+    terms.push_back(centred(shapes[k], weights[k], progress));
     middle += weights[k] * terms.back().middle;
     volume += weights[k] * signedVolume(terms.back().triangles);
   }

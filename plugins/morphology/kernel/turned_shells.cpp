@@ -1,0 +1,69 @@
+#include "kernel/turned_shells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/mesh/closed_triangles.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/mesh/winding_field.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+Triangle3 triangleAt(const Mesh& triangles, std::size_t f) {
+  const auto face = triangles.face(f);
+  const auto corner = [&](std::size_t k) { return triangles.points[static_cast<std::size_t>(face[k])]; };
+  return {corner(0), corner(1), corner(2)};
+}
+
+std::vector<std::vector<Triangle3>> shellsOf(const Mesh& triangles, const MeshTopology& topology) {
+  std::vector<std::vector<Triangle3>> shells(topology.components.size());
+  for (std::size_t f = 0; f < triangles.faceCount(); ++f)
+    shells[static_cast<std::size_t>(topology.componentOfFace[f])].push_back(triangleAt(triangles, f));
+  return shells;
+}
+
+void turn(Mesh& mesh, std::size_t face) {
+  std::reverse(mesh.faceVertices.begin() + mesh.faceStarts[face], mesh.faceVertices.begin() + mesh.faceStarts[face + 1]);
+}
+
+/// Where each shell that is inside out lies; nothing for the others.
+std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopology& topology, const Progress& progress) {
+  if (topology.components.size() == 1)
+    return {signedVolume(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt};
+  const auto shells = shellsOf(triangles, topology);
+  std::vector<Triangle3> all;
+  for (const auto& shell : shells) all.insert(all.end(), shell.begin(), shell.end());
+  const WindingField field(std::move(all), progress);
+  std::vector<std::optional<Vec3>> found;
+  for (const auto& shell : shells) {
+    progress.check();
+    const auto [front, back] = pointsBesideLargest(shell);
+    const bool isWrong = std::min(field.at(front), field.at(back)) < 0;
+    found.push_back(isWrong ? std::optional<Vec3>((front + back) / 2) : std::nullopt);
+  }
+  return found;
+}
+
+}  // namespace
+
+void turnOutwards(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
+  const MeshTopology topology = meshTopology(solid.triangles, progress);
+  const auto found = insideOut(solid.triangles, topology, progress);
+  const auto isTurned = [](const std::optional<Vec3>& place) { return place.has_value(); };
+  if (std::none_of(found.begin(), found.end(), isTurned)) return;
+  for (std::size_t f = 0; f < solid.triangles.faceCount(); ++f)
+    if (found[static_cast<std::size_t>(topology.componentOfFace[f])]) turn(solid.triangles, f);
+  if (std::all_of(found.begin(), found.end(), isTurned)) {
+    solid.warnings.push_back(fmt::format("{} was inside out and has been turned.", subject.name));
+    return;
+  }
+  for (const auto& place : found)
+    if (place)
+      solid.warnings.push_back(fmt::format("{} has a body near {} that was inside out and has been turned.", subject.name,
+                                           subject.place(*place)));
+}
+
+}  // namespace blossom::morphology

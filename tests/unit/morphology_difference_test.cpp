@@ -126,6 +126,38 @@ class MorphologyDifferenceTest : public QObject {
     COMPARE_NEAR(volumeOf(solidDifference(bodyOf(lBlock()), plate).solids.front()), 2 * (2 * 3.5 * 0.5 - 0.25), tiny);
   }
 
+  /// An arm as wide as what moves in it: it has no volume left, which is said; of one that is narrower nothing is.
+  void exactFitsAreSaid() {
+    const auto block = [](double width) {
+      return prism({{0, 0}, {20, 0}, {20, width}, {10, width}, {10, 10}, {0, 10}}, 0, 10);
+    };
+    const Mesh cube = cuboid({-2, -2, -2}, {2, 2, 2});
+    const auto isSaid = [](const MorphologyResult& made) {
+      return std::any_of(made.warnings.begin(), made.warnings.end(),
+                         [](const std::string& warning) { return warning.find("exactly as wide") != std::string::npos; });
+    };
+    for (const bool arePrisms : {true, false}) {
+      // A tetrahedron far away, and the solid is no prism.
+      const auto solid = [&](double width) {
+        return bodyOf(arePrisms ? block(width)
+                                : together(block(width), movedBy(scaledBy(cornerTetrahedron(), 20), {100, 0, 0})));
+      };
+      for (const double width : {3.0, 3.99, 4.0, 4.01}) {
+        const bool isTight = width == 4;
+        QCOMPARE(isSaid(solidDifference(solid(width), bodyOf(cube))), isTight);
+        QCOMPARE(isSaid(solidOpening(solid(width), bodyOf(cube))), isTight);
+      }
+    }
+    for (const double size : {4.0, 5.0}) {
+      try {
+        solidDifferenceOf(cuboid({0, 0, 0}, {4, 9, 9}), cuboid({0, 0, 0}, {size, size, size}));
+        QFAIL("not refused");
+      } catch (const Error& error) {
+        QCOMPARE(error.hint().find("fits exactly") != std::string::npos, size == 4);
+      }
+    }
+  }
+
   void nothingLeftIsSaid() {
     VERIFY_ERROR(solidDifferenceOf(cuboid({0, 0, 0}, {1, 1, 1}), cuboid({0, 0, 0}, {2, 0.1, 0.1})), ErrorCode::Degenerate);
     VERIFY_ERROR(solidDifferenceOf(lBlock(), cuboid({0, 0, 0}, {2, 2, 0.1})), ErrorCode::Degenerate);

@@ -4,13 +4,12 @@
 #include "core/error.h"
 #include "kernel/morphology.h"
 #include "kernel/operations/erosion.h"
+#include "kernel/operations/exact_fit.h"
 #include "kernel/operations/pair.h"
 
 namespace blossom::morphology {
 
 namespace {
-
-constexpr const char* smallerElement = "Choose a smaller second shape.";
 
 /// The same where the first is melted, for which its bodies must not meet.
 Pair prepareUnited(Work& work, const Operand& a, const Operand& b) {
@@ -28,13 +27,19 @@ bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Op
   return true;
 }
 
-Mesh leftOf(Mesh left, const Operand& a) {
-  if (left.faceCount() == 0) nothingLeft(a, smallerElement);
-  return left;
+[[noreturn]] void refuseNothingLeft(Work& work, const Operand& a, const Pair& pair) {
+  const Mesh nothing;
+  const bool isTight = fitsExactly(work, pair.a, pair.b, pair.grid, &nothing);
+  nothingLeft(a, isTight ? "It fits exactly, without room to move: make the second shape a little smaller."
+                         : "Choose a smaller second shape.");
 }
-Prism leftOf(std::optional<Prism> left, const Operand& a) {
-  if (!left) nothingLeft(a, smallerElement);
-  return *std::move(left);
+
+/// @param left of the first shape; nothing: not known as a mesh
+void warnOfTightPlaces(Work& work, const Pair& pair, const Mesh* left) {
+  if (isConvex(pair.a) || !fitsExactly(work, pair.a, pair.b, pair.grid, left)) return;
+  work.warn(
+      "Some places are exactly as wide as the shape that moves in them: without room to move they have no volume, and are "
+      "left out. Make that shape a little smaller where they count.");
 }
 
 }  // namespace
@@ -70,10 +75,15 @@ MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progr
   Work work(progress);
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
-    return leftOf(difference(p, q, part), a);
+    std::optional<Prism> left = difference(p, q, part);
+    if (!left) refuseNothingLeft(work, a, pair);
+    warnOfTightPlaces(work, pair, nullptr);
+    return *std::move(left);
   };
   if (finishedAsPrisms(work, pair, pair.a.centre - pair.b.centre, ofPrisms)) return work.result();
-  const Mesh left = leftOf(eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.9), a);
+  const Mesh left = eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.9);
+  if (left.faceCount() == 0) refuseNothingLeft(work, a, pair);
+  warnOfTightPlaces(work, pair, &left);
   work.finish(left, pair.a.centre - pair.b.centre, 0.9, 1);
   return work.result();
 }
@@ -83,10 +93,15 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
   Work work(progress);
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
-    return sum(leftOf(difference(p, q, part.part(0, 0.5)), a), q, part.part(0.5, 1));
+    const std::optional<Prism> left = difference(p, q, part.part(0, 0.5));
+    if (!left) refuseNothingLeft(work, a, pair);
+    warnOfTightPlaces(work, pair, nullptr);
+    return sum(*left, q, part.part(0.5, 1));
   };
   if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
-  const Mesh left = leftOf(eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.5), a);
+  const Mesh left = eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.5);
+  if (left.faceCount() == 0) refuseNothingLeft(work, a, pair);
+  warnOfTightPlaces(work, pair, &left);
   const Prepared core = work.asOperand(left, a.name, pair.grid, 0.5, 0.55);
   const Mesh sum = sumOfAny(work, core, 1, pair.b, 1, pair.grid, 0.55, 0.9);
   work.finish(sum, pair.a.centre + core.centre, 0.9, 1);

@@ -152,6 +152,15 @@ void MorphologyWindowTest::theFacetsOfASumAreShown() {
   const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
   if (!folder.isEmpty()) QVERIFY(canvas().save(folder + QStringLiteral("/sum-families.png")));
   QVERIFY2(seen(look.control) > 0.005 && seen({0.45, 0.65, 0.35}) > 0.02, "facets have the colours of their families");
+  // A section cuts them like the sum.
+  const double whole = seen({0.45, 0.65, 0.35});
+  std::vector<double> left;
+  for (const double height : {-100.0, 100.0}) {
+    window_->view().setSection(CutPlane{Vec3::UnitZ(), height});
+    left.push_back(seen({0.45, 0.65, 0.35}));
+  }
+  window_->view().setSection({});
+  QVERIFY2(std::min(left[0], left[1]) < 0.3 * whole && std::max(left[0], left[1]) > 0.9 * whole, "cut");
   show("outlines");
   waitUntilComputed();
   (void)canvas();

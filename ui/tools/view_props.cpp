@@ -5,6 +5,8 @@
 #include <vtkCoordinate.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
@@ -190,6 +192,22 @@ PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const C
   actor->GetProperty()->SetLighting(opacity == 1);  // solid things show their form
   return actor;
 }
+
+namespace {
+
+vtkInformationIntegerKey* cutKey() {
+  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("CUT_BY_SECTION", "blossom");
+  return key;
+}
+
+}  // namespace
+
+void cutBySection(vtkProp& prop) {
+  if (!prop.GetPropertyKeys()) prop.SetPropertyKeys(vtkSmartPointer<vtkInformation>::New());
+  prop.GetPropertyKeys()->Set(cutKey(), 1);
+}
+
+bool isCutBySection(vtkProp& prop) { return prop.GetPropertyKeys() && prop.GetPropertyKeys()->Has(cutKey()); }
 
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
   // Above the place, so that what it names stays in sight.

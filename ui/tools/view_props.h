@@ -37,6 +37,10 @@ PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);
 /// A picture of constant size that faces the viewer, its middle at a position. Its device pixels are those of the view.
 PropPtr pictureProp(const QImage&, const Vec3& at);
 
+/// For what shows parts of a shape: the section plane of the view cuts it as it cuts shapes.
+void cutBySection(vtkProp&);
+bool isCutBySection(vtkProp&);
+
 QColor qtColor(const Color&, double opacity = 1);
 /// Text and border in one colour, on a card of the colour of the background.
 LabelLook labelLook(const Look&, const Color&, double pixelRatio);

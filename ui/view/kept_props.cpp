@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/tools/view_props.h"
+
 namespace blossom::ui {
 
 namespace {
@@ -44,7 +46,7 @@ bool isFlat(vtkProp& prop) { return vtkActor2D::SafeDownCast(&prop) != nullptr; 
 bool areAlike(vtkProp& a, vtkProp& b) {
   if (isFlat(a) || isFlat(b)) return isFlat(a) && isFlat(b);
   vtkPolyData *dataA = dataOf(a), *dataB = dataOf(b);
-  if (!dataA || !dataB || !areOfOneSort(*dataA, *dataB)) return false;
+  if (!dataA || !dataB || !areOfOneSort(*dataA, *dataB) || isCutBySection(a) != isCutBySection(b)) return false;
   vtkActor &actorA = *vtkActor::SafeDownCast(&a), &actorB = *vtkActor::SafeDownCast(&b);
   vtkProperty &lookA = *actorA.GetProperty(), &lookB = *actorB.GetProperty();
   if (depthOf(*actorA.GetMapper()) != depthOf(*actorB.GetMapper())) return false;

@@ -2,12 +2,14 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkMapper.h>
 #include <vtkPlane.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "ui/tools/view_props.h"
 #include "ui/view/camera_control.h"
 #include "ui/view/kept_props.h"
 #include "ui/view/prop_share.h"
@@ -45,7 +47,19 @@ void ViewStage::replace(Props& shown, Props now) {
   replaceProps(*renderer_, shown, std::move(now));
 }
 
-void ViewStage::setOverlay(Props props) { replace(overlay_, std::move(props)); }
+void ViewStage::setOverlay(Props props) {
+  replace(overlay_, std::move(props));
+  cutOverlay();
+}
+
+void ViewStage::cutOverlay() {
+  for (const auto& prop : overlay_) {
+    auto* const actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !isCutBySection(*prop)) continue;
+    actor->GetMapper()->RemoveAllClippingPlanes();
+    if (items_.clip()) actor->GetMapper()->AddClippingPlane(items_.clip());
+  }
+}
 
 void ViewStage::setToolProps(Props props) { replace(toolProps_, std::move(props)); }
 
@@ -93,6 +107,7 @@ void ViewStage::setSection(const std::optional<CutPlane>& section) {
   selected_.setSection(items_.clip());
   chosen_.setSection(items_.clip());
   pointed_.setSection(items_.clip());
+  cutOverlay();
 }
 
 void ViewStage::light(const Pick& pick, bool whole) {

@@ -64,6 +64,7 @@ class ViewStage {
 
  private:
   void replace(Props& shown, Props now);
+  void cutOverlay();
   void applyLook();
   bool showMarks();
   void keepGridLast();

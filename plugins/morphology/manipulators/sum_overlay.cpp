@@ -61,6 +61,7 @@ ui::PropPtr facetsProp(const Outlines& facets, const Color& color, int layer) {
   property.SetInterpolationToFlat();
   property.BackfaceCullingOn();
   actor->PickableOff();
+  ui::cutBySection(*actor);
   return actor;
 }
 
@@ -119,6 +120,7 @@ class SumOverlay {
       for (std::size_t i = 0; i < outline.size(); ++i)
         addDashes(outline[i], outline[(i + 1) % outline.size()], step, dashes);
     props_.push_back(ui::linesProp(dashes, context_.look.edge, context_.pixelRatio));
+    ui::cutBySection(*props_.back());
   }
 
   const ui::OverlayContext& context_;

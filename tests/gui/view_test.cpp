@@ -1,3 +1,4 @@
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <QApplication>
@@ -245,6 +246,33 @@ class ViewTest : public QObject {
     if (qEnvironmentVariableIsSet("BLOSSOM_TEST_PICTURES")) sectioned.save(qEnvironmentVariable("BLOSSOM_TEST_PICTURES"));
     view_->setSection({});
     QVERIFY(!view_->pickAt(corner, PickMode::Vertex).feature.empty());
+  }
+
+  /// A groove from below, whose edges run close behind the cut.
+  void whatLiesBehindACutIsHidden() {
+    const TopoDS_Shape groove = BRepPrimAPI_MakeBox(gp_Pnt(-20, -3, -1), 40, 6, 12).Shape();
+    const SceneData grooved = sceneOf(Brep(BRepAlgoAPI_Cut(box().shape(), groove).Shape()));
+    for (const bool parallel : {false, true}) {
+      view_->setParallel(parallel);
+      std::vector<QImage> pictures;
+      for (const SceneData& scene : {box_, grooved}) {
+        view_->setItems({{"box", scene}});
+        view_->fitTo({{-10, -10, 0}, {10, 10, 20}}, false);
+        view_->setSection(CutPlane{Vec3::UnitZ(), 12});
+        pictures.push_back(view_->grabFramebuffer());
+      }
+      view_->setSection({});
+      int different = 0;
+      for (double x = -9; x <= 9; x += 0.25)
+        for (double y = -9; y <= 9; y += 0.25) {
+          const QPoint p = (at({x, y, 12}) * pictures[0].devicePixelRatio()).toPoint();
+          const QColor a = pictures[0].pixelColor(p), b = pictures[1].pixelColor(p);
+          if (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) > 40)
+            ++different;
+        }
+      QCOMPARE(different, 0);
+    }
+    view_->setItems({{"box", box_}, {"ball", ball_}});
   }
 
   void orbitingKeepsThePointUnderTheMouse() {

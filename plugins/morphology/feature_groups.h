@@ -26,6 +26,8 @@ inline constexpr const char* deviationHelp =
 /// 0, 1/(n-1), .., 1.
 std::vector<double> frameTimes(int frames);
 
+/// A curve that a user begins with, which leaves t as it is.
+inline Value straightControl() { return Value::array({Value::array({0.0, 0.0}), Value::array({1.0, 1.0})}); }
 /// f(t) of the parameters `control` and `curve` at each time.
 std::vector<double> controlled(Control, const Value& curve, std::vector<double> times);
 

@@ -14,7 +14,7 @@ struct GrowParameters {
   Until until = Until::Size;
   double rounding = 0;
   Control control = Control::Linear;
-  Value curve = Value::array();
+  Value curve = straightControl();
   int subdivisions = 1;
   BallFit fit = BallFit::Inscribed;
   double deviation = 0.05;

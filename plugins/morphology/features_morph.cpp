@@ -15,7 +15,7 @@ struct MorphParameters {
   int frames = 0;
   std::vector<double> blossom;
   Control control = Control::Linear;
-  Value curve = Value::array();
+  Value curve = straightControl();
   bool volumePreserving = false;
   double deviation = 0.05;
   int preview = 0;
@@ -91,7 +91,7 @@ FeatureType morphFeature() {
               .asks = "solids to morph"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first solid) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 1000), "Number of solids of a sequence from 0 to 1; 0 makes the one at t.")
-      .parameter("blossom", &P::blossom, list(ratio()),
+      .parameter("blossom", &P::blossom, onePer(list(ratio()), "solids", -1, "t"),
                  "One number for each solid after the first, instead of t; all equal, they are t.")
       .parameter("control", &P::control, controlChoice(), "Growth of the share of later solids with t.")
       .parameter("curve", &P::curve, controlCurveSpec(),

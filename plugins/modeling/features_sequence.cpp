@@ -21,14 +21,20 @@ Evaluated takenFrame(const FrameParameters& p, const Inputs& inputs, const Progr
   const auto& sequence = inputs.get<Sequence>();
   const std::size_t count = sequence.frames.size();
   std::size_t index = static_cast<std::size_t>(p.number) - 1;
-  if (!p.time.is_null())
-    index = nearestFrame(sequence, p.time.get<double>());
-  else if (index >= count)
+  std::vector<std::string> warnings;
+  const std::vector<double> times = frameTimes(sequence);
+  if (!p.time.is_null() && !times.empty()) {
+    const double time = p.time.get<double>();
+    index = nearestFrame(sequence, time);
+    if (time < times.front() || time > times.back())
+      warnings.push_back(fmt::format("The time {:g} lies outside of the sequence, whose frames are from {:g} to {:g}.", time,
+                                     times.front(), times.back()));
+  } else if (index >= count)
     throw Error(
         ErrorCode::InvalidParameter,
         fmt::format("Frame {} is asked for, and the sequence has {} frame{}.", p.number, count, count == 1 ? "" : "s"),
         count == 0 ? "Mend the feature that it comes from." : fmt::format("Give a number from 1 to {}.", count));
-  return {sequence.frames[index], {{"frame", index + 1}, {"frame_time", frameTimes(sequence)[index]}}, {}};
+  return {sequence.frames[index], {{"frame", index + 1}, {"frame_time", times[index]}}, std::move(warnings)};
 }
 
 FeatureType frameFeature() {

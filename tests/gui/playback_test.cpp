@@ -47,6 +47,11 @@ void PlaybackTest::keepsItsPlaceWhenTheCountChanges() {
   QCOMPARE(playback.frame(), 50);
   playback.setCount(0);
   QCOMPARE(playback.frame(), 0);
+  playback.setCount(101);  // undone
+  QCOMPARE(playback.frame(), 50);
+  playback.setCount(1);
+  playback.setCount(25);  // another one
+  QCOMPARE(playback.frame(), 0);
 }
 
 void PlaybackTest::playsToTheEndAndStops() {

@@ -131,6 +131,7 @@ class ModelingSequenceTest : public QObject {
       const Evaluated frame = made("frame", {{"time", time}}, {run});
       QCOMPARE(frame.stats.at("frame"), Value(number));
       COMPARE_NEAR(figure(frame.shape, "area"), grown((number - 1) / 4.0), 1e-9);
+      QCOMPARE(frame.warnings.empty(), time >= 0 && time <= 1);  // such a time was hardly meant
     }
     const Error error = refusal("frame", {{"number", 6}}, {run});
     QCOMPARE(error.message(), std::string("Frame 6 is asked for, and the sequence has 5 frames."));

@@ -24,7 +24,9 @@ int Playback::frameOf(int frames) const { return scaledFrame(frame_, count_, fra
 
 void Playback::setCount(int frames) {
   if (frames == count_) return;
-  frame_ = scaledFrame(frame_, count_, frames);
+  // Of a sequence that goes and comes back, by undo for instance, the same frame is seen.
+  if (count_ > 1 && frames < 2) before_ = {frame_, count_};
+  frame_ = count_ < 2 && frames == before_.second ? before_.first : scaledFrame(frame_, count_, frames);
   count_ = frames;
   if (count_ < 2) clock_.stop();
   emit changed();

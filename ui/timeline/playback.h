@@ -46,6 +46,7 @@ class Playback : public QObject {
   [[nodiscard]] int frameMs() const;
 
   int count_ = 0, frame_ = 0;
+  std::pair<int, int> before_;  ///< frame and count of the sequence that was there last
   bool looping_ = true, onionSkin_ = false;
   bool offered_ = false, awaited_ = false;
   int framesPerSecond_ = 24;

@@ -32,10 +32,17 @@ double shortestTurn(double degrees) {
   return turn <= -180 ? turn + 360 : turn + 0.0;  // -0 would be written as such
 }
 
+/// To a power of ten below what a pixel is worth: more digits would be nothing that a hand has set.
+double roundedToPixels(double value, double millimetresPerPixel) {
+  const double finest = std::pow(10, std::floor(std::log10(millimetresPerPixel)));
+  return finest < 1 ? std::round(value / finest) / std::round(1 / finest) : std::round(value / finest) * finest;
+}
+
 /// The nearest line of the grid where one is in reach; the place where the shape was drawn is on all of them.
-double snappedTo(double value, double spacing, double reach) {
+double snappedTo(double value, double spacing, double millimetresPerPixel) {
   const double line = std::round(value / spacing) * spacing;
-  return std::abs(line - value) <= reach ? line : value;
+  if (std::abs(line - value) <= snapPixels * millimetresPerPixel) return line;
+  return roundedToPixels(value, millimetresPerPixel);
 }
 
 }  // namespace
@@ -224,8 +231,8 @@ Placement MorphTool::dragged(const Handle& handle, const ui::ToolEvent& event, c
   switch (handle.grip) {
     case Grip::Move: {
       to.offset = at - grabbed_ - controls_[handle.shape].centre;
-      const double spacing = host().gridSpacing(), reach = snapPixels * event.millimetresPerPixel;
-      if (!free) to.offset = {snappedTo(to.offset.x(), spacing, reach), snappedTo(to.offset.y(), spacing, reach)};
+      const auto snapped = [&](double value) { return snappedTo(value, host().gridSpacing(), event.millimetresPerPixel); };
+      if (!free) to.offset = {snapped(to.offset.x()), snapped(to.offset.y())};
       break;
     }
     case Grip::Scale: {

@@ -44,6 +44,16 @@ class MorphologyPreviewTest : public QObject {
       }
   }
 
+  /// Walls of a slot that grow together where the grid cannot tell them apart.
+  void everyEdgeHasTwoFaces() {
+    const Mesh slotted = prism({{0, 0}, {10, 0}, {10, 10}, {6, 10}, {6, 3}, {4, 3}, {4, 10}, {0, 10}}, 0, 10);
+    for (const int cells : {20, 32, 40, 50}) {
+      const MeshTopology topology = meshTopology(previewOf(bodyOf(slotted), bodyOf(cornerTetrahedron()), 1, 1, cells));
+      QVERIFY(
+          std::all_of(topology.edges.begin(), topology.edges.end(), [](const MeshEdge& edge) { return edge.manifold(); }));
+    }
+  }
+
   /// A plate thinner than a cell, a solid inside out, and volumes that are kept.
   void thinAndTurnedSolids() {
     const Mesh plate = cuboid({0, 0, 0}, {100, 60, 2}), ball_ = ballOf(2, 2), exact = solidSumOf(plate, ball_);

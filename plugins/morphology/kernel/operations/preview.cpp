@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/manifold.h"
 #include "kernel/morphology.h"
 #include "kernel/operations/work.h"
 #include "kernel/preview/field_sum.h"
@@ -65,6 +66,7 @@ MorphologyResult previewOfSum(const std::vector<Operand>& shapes, const std::vec
   const double cell = (bounds(made).high - bounds(made).low).maxCoeff() / cells;
   const double own = signedVolume(made), factor = options.volumePreserving && own > 0 ? std::cbrt(volume / own) : 1;
   for (Vec3& p : made.points) p = middle + factor * p;
+  made = manifoldOfTriangles(made, progress);
   MorphologyResult result{{std::move(made)}, {}, {}};
   result.stats.way = Way::Field;
   result.warnings.push_back(

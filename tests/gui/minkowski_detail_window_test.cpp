@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "geometry/shape/sequence.h"
+#include "ui/panel/result_rows.h"
 #include "ui/timeline/playback.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
@@ -135,9 +138,8 @@ void MinkowskiDetailWindowTest::theTimelineStaysWhereItIs() {
 /// While it plays on, t follows, and the few frames are not told as the result.
 void MinkowskiDetailWindowTest::timeAndFiguresAreThoseOfTheWhole() {
   const auto countTold = [this] {
-    for (const QLabel* label : window_->properties().findChildren<QLabel*>())
-      if (label->text().contains(QStringLiteral("25"))) return true;
-    return false;
+    const auto& rows = window_->properties().findChild<ResultRows*>()->rows();
+    return std::any_of(rows.begin(), rows.end(), [](const ResultRow& row) { return row.value() == QStringLiteral("25"); });
   };
   const auto shownTime = [this] { return window_->properties().field(QStringLiteral("t"))->value().get<double>(); };
   QVERIFY(countTold());

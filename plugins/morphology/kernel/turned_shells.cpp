@@ -29,7 +29,14 @@ void turn(Mesh& mesh, std::size_t face) {
   std::reverse(mesh.faceVertices.begin() + mesh.faceStarts[face], mesh.faceVertices.begin() + mesh.faceStarts[face + 1]);
 }
 
-/// Where each shell that is inside out lies; nothing for the others.
+/// Whether there is less than no solid on one side of a triangle.
+bool isTurned(const WindingField& field, const std::vector<Triangle3>& of) {
+  const auto [front, back] = pointsBesideLargest(of);
+  return std::min(field.at(front), field.at(back)) < 0;
+}
+
+/// Where each shell that is inside out lies; nothing for the others, among them those that are so only in part because they
+/// cross another one.
 std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopology& topology, const Progress& progress) {
   if (topology.components.size() == 1)
     return {signedVolume(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt};
@@ -40,9 +47,10 @@ std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopo
   std::vector<std::optional<Vec3>> found;
   for (const auto& shell : shells) {
     progress.check();
-    const auto [front, back] = pointsBesideLargest(shell);
-    const bool isWrong = std::min(field.at(front), field.at(back)) < 0;
-    found.push_back(isWrong ? std::optional<Vec3>((front + back) / 2) : std::nullopt);
+    const bool isWrong = isTurned(field, shell) && std::all_of(shell.begin(), shell.end(), [&](const Triangle3& triangle) {
+                           return isTurned(field, {triangle});
+                         });
+    found.push_back(isWrong ? std::optional(shell.front()[0]) : std::nullopt);
   }
   return found;
 }
@@ -52,11 +60,11 @@ std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopo
 void turnOutwards(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
   const MeshTopology topology = meshTopology(solid.triangles, progress);
   const auto found = insideOut(solid.triangles, topology, progress);
-  const auto isTurned = [](const std::optional<Vec3>& place) { return place.has_value(); };
-  if (std::none_of(found.begin(), found.end(), isTurned)) return;
+  const auto isFound = [](const std::optional<Vec3>& place) { return place.has_value(); };
+  if (std::none_of(found.begin(), found.end(), isFound)) return;
   for (std::size_t f = 0; f < solid.triangles.faceCount(); ++f)
     if (found[static_cast<std::size_t>(topology.componentOfFace[f])]) turn(solid.triangles, f);
-  if (std::all_of(found.begin(), found.end(), isTurned)) {
+  if (std::all_of(found.begin(), found.end(), isFound)) {
     solid.warnings.push_back(fmt::format("{} was inside out and has been turned.", subject.name));
     return;
   }

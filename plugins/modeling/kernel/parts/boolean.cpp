@@ -10,9 +10,11 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "geometry/occt/joined_faces.h"
 #include "geometry/occt/occt_progress.h"
 #include "geometry/shape/compound.h"
+#include "kernel/parts/boolean_check.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/shape_parts.h"
@@ -82,10 +84,11 @@ class Combiner {
     return operation->Shape();
   }
 
+  /// Null when nothing is left.
   [[nodiscard]] TopoDS_Shape finished(const TopoDS_Shape& shape) const {
     const TopAbs_ShapeEnum kind = solids_ ? TopAbs_SOLID : TopAbs_FACE;
     const auto parts = subShapesOf(shape, kind);
-    if (parts.empty()) refuseNothingLeft(options_.operation);
+    if (parts.empty()) return {};
     return solids_ ? finishedSolid(compoundOf(parts), complaint()) : finishedSheet(compoundOf(parts), complaint());
   }
 
@@ -106,13 +109,14 @@ TopTools_ListOfShape listOf(std::vector<TopoDS_Shape>::const_iterator from, std:
   return list;
 }
 
-/// Several tools of a common mean their union to OCCT; what all have in common is made one by one.
+/// Several tools of a common mean their union to OCCT; what all have in common is made one by one. Null when nothing is
+/// left.
 TopoDS_Shape combined(const Combiner& combiner, const std::vector<TopoDS_Shape>& shapes, BooleanOperation operation,
                       const Progress& progress) {
   if (operation != BooleanOperation::Intersection)
-    return combiner.run(shapes.front(), listOf(shapes.begin() + 1, shapes.end()), progress);
+    return combiner.finished(combiner.run(shapes.front(), listOf(shapes.begin() + 1, shapes.end()), progress));
   TopoDS_Shape common = shapes.front();
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
+  for (std::size_t i = 1; i < shapes.size() && !common.IsNull(); ++i) {
     const double count = static_cast<double>(shapes.size() - 1), from = static_cast<double>(i - 1) / count;
     const auto each = shapes.begin() + static_cast<std::ptrdiff_t>(i);
     common = combiner.finished(combiner.run(common, listOf(each, each + 1), progress.part(from, from + 1 / count)));
@@ -130,6 +134,51 @@ void refuseNothingLeft(BooleanOperation operation) {
               "Move them so that they overlap.");
 }
 
+namespace {
+
+/// What is wrong with a result, as far as that is sure. Fewer places than these may be those of a surface that triangles
+/// follow badly.
+std::optional<BooleanDoubt> sureDoubt(const std::vector<TopoDS_Shape>& shapes, BooleanOperation operation,
+                                      const TopoDS_Shape& result, const Progress& progress) {
+  constexpr double sure = 0.005;
+  const auto doubt = booleanDoubt(shapes, operation, result, progress);
+  return doubt && doubt->share > sure ? doubt : std::nullopt;
+}
+
+/// The result; with faces that nearly touch taken as touching, which is told, where it comes out wrong otherwise.
+TopoDS_Shape checkedResult(const std::vector<TopoDS_Shape>& shapes, const BooleanOptions& options, BooleanResult& told,
+                           const Progress& progress) {
+  const auto attempt = [&](double fuzzy) {
+    BooleanOptions wider = options;
+    wider.fuzzy = fuzzy;
+    return combined(Combiner(wider, true), shapes, options.operation, progress);
+  };
+  const TopoDS_Shape made = attempt(options.fuzzy);
+  const auto doubt = sureDoubt(shapes, options.operation, made, progress);
+  if (!doubt) return made;
+  double size = 0;
+  for (const TopoDS_Shape& shape : shapes) size = std::max(size, diagonalOf(shape));
+  for (const double share : {1e-5, 1e-4, 3e-4}) {
+    const double fuzzy = share * size;
+    if (fuzzy <= options.fuzzy) continue;
+    try {
+      const TopoDS_Shape again = attempt(fuzzy);
+      if (sureDoubt(shapes, options.operation, again, progress)) continue;
+      told.warnings.push_back(fmt::format(
+          "Faces within {:.2g} mm were taken as touching: the result of the shapes as they are comes out wrong.", fuzzy));
+      return again;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::Degenerate) throw;
+    }
+  }
+  throw Error(
+      ErrorCode::Degenerate,
+      fmt::format("The {} of these shapes comes out wrong near {}.", nameOf(options.operation), placeText(doubt->place)),
+      "Move or turn one shape a little, so that its faces do not lie along an edge of the other.");
+}
+
+}  // namespace
+
 BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOptions& o, const Progress& progress) {
   const bool solids = checkInputs(shapes);
   const Combiner combiner(o, solids);
@@ -137,7 +186,9 @@ BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOpti
       fmt::format("The {} of these shapes cannot be computed.", nameOf(o.operation)),
       "Move one shape a little, or set a fuzzy distance such as 0.01 mm.", [&] {
         BooleanResult result;
-        result.shape = combiner.finished(combined(combiner, shapes, o.operation, progress.part(0, 0.85)));
+        const Progress part = progress.part(0, 0.85);
+        result.shape = solids ? checkedResult(shapes, o, result, part) : combined(combiner, shapes, o.operation, part);
+        if (result.shape.IsNull()) refuseNothingLeft(o.operation);
         if (!o.simplify) return result;
         progress.report(0.9, "Joining faces");
         // Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.

@@ -1,3 +1,5 @@
+#include <QClipboard>
+#include <QGuiApplication>
 #include <cmath>
 
 #include "support/sweep_formulas.h"
@@ -23,6 +25,7 @@ class SweepGoalWindowTest : public SweepFixture {
   void tabGoesToTheNextCoordinate();
   void anotherFieldEndsTheTyping();
   void whatIsTypedCanBeLeft();
+  void keysOfEditingBelongToTheText();
   void aTypedAngleIsThatOfTheTwist();
   void theLastPullIsGivenAnotherTarget();
   void anEarlierPullIsDraggedAtItsPlace();
@@ -211,6 +214,27 @@ void SweepGoalWindowTest::whatIsTypedCanBeLeft() {
   key(Qt::Key_Escape);
   waitUntilComputed();
   QVERIFY(std::ranges::equal(document().features(), before.features()));
+}
+
+/// Of all that is typed, not of the document: the last feature must not go, nor all of them be selected.
+void SweepGoalWindowTest::keysOfEditingBelongToTheText() {
+  openSample("cylinder.json");
+  const std::size_t features = document().features().size();
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  type(QStringLiteral("999, 999"));
+  const auto withControl = [this](Qt::Key key) { QTest::keyClick(&window_->view(), key, Qt::ControlModifier); };
+  withControl(Qt::Key_Z);
+  QVERIFY(window_->page().tool()->entering());
+  QCOMPARE(document().features().size(), features);
+  type(QStringLiteral("888"));
+  withControl(Qt::Key_A);
+  QVERIFY(window_->page().tool()->entering());
+  QGuiApplication::clipboard()->setText(QStringLiteral("14, -10, 21"));
+  withControl(Qt::Key_V);
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]), Vec3(14, -10, 21));
 }
 
 void SweepGoalWindowTest::aTypedAngleIsThatOfTheTwist() {

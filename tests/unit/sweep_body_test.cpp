@@ -1,4 +1,5 @@
 #include <QTemporaryDir>
+#include <map>
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
@@ -72,6 +73,38 @@ constexpr double allowed = 1e-6;  // what measuring free-form shapes promises
 class SweepBodyTest : public QObject {
   Q_OBJECT
  private slots:
+  /// Four arms pulled out of a hub, and boxes with a face along the seam of its surface: OCCT drops the box, or takes it
+  /// for part of the sweep, and finds its result valid. Each operation is right or refused.
+  void alongTheSeamNothingIsSilentlyWrong() {
+    const Shape hub =
+        made("sweep-motion", {{"kind", "cylinder"}, {"radius", 10}, {"height", 36}, {"rows", 16}, {"columns", 14}}, {})
+            .shape;
+    const Value pull = {{"u", 0.869}, {"v", 0.495}, {"to", {35.31, -38.03, 17.8}}};
+    const Shape pulled =
+        made("sweep-pull", {{"pulls", Value::array({pull})}, {"scale", 1}, {"rotate", 0}, {"fold", 4}}, {hub}).shape;
+    const Shape body = made("sweep", {{"solid", true}}, {pulled}).shape;
+    int right = 0;
+    for (const Vec3& low : {Vec3(0, 0, 0), Vec3(3, 0, 1), Vec3(0, 1, 0)}) {
+      const Shape block = box(low, {40, 30, 20});
+      std::map<std::string, double> volumes;
+      for (const char* operation : {"union", "difference", "intersection"}) try {
+          volumes[operation] = volumeOfShape(combined(operation, body, block).shape);
+          ++right;
+        } catch (const Error& error) {
+          QVERIFY2(error.message().find("comes out wrong") != std::string::npos, error.what());
+        }
+      // By triangles: of the block, the sweep holds between a twelfth and a sixth.
+      const double whole = volumeOfShape(body), ofBlock = 40 * 30 * 20;
+      for (const auto& [operation, volume] : volumes) {
+        const double common = operation == "union"        ? whole + ofBlock - volume
+                              : operation == "difference" ? whole - volume
+                                                          : volume;
+        QVERIFY2(common > ofBlock / 12 && common < ofBlock / 4, (operation + std::to_string(common)).c_str());
+      }
+    }
+    QVERIFY2(right >= 6, std::to_string(right).c_str());
+  }
+
   void halvesOfARing_data() {
     QTest::addColumn<QString>("mode");
     QTest::newRow("exact") << "exact";

@@ -1,6 +1,9 @@
 #include "ui/tools/typed_text.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <utility>
 
 namespace blossom::ui {
@@ -11,6 +14,7 @@ void TypedText::open(const QString& present) {
 }
 
 TypedKey TypedText::key(const QKeyEvent& event) {
+  if (edit(event)) return TypedKey::Text;
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return TypedKey::Other;
   switch (event.key()) {
     case Qt::Key_Escape:
@@ -21,6 +25,20 @@ TypedKey TypedText::key(const QKeyEvent& event) {
     default:
       return change(event) ? TypedKey::Text : TypedKey::Other;
   }
+}
+
+/// What every line of text answers. Undo must not reach the document while something is typed.
+bool TypedText::edit(const QKeyEvent& event) {
+  if (event.matches(QKeySequence::SelectAll)) {
+    selected_ = !text_.isEmpty();
+  } else if (event.matches(QKeySequence::Paste)) {
+    type(QGuiApplication::clipboard()->text().simplified());
+  } else if (event.matches(QKeySequence::Undo)) {
+    open(present_);
+  } else {
+    return event.matches(QKeySequence::Redo);
+  }
+  return true;
 }
 
 bool TypedText::change(const QKeyEvent& event) {

@@ -18,7 +18,8 @@ enum class TypedKey {
 class TypedText {
  public:
   void open(const QString& present);
-  /// Takes printable characters, Backspace and the keys that leave the selection, none of them with Ctrl, Alt or Meta.
+  /// Takes printable characters, Backspace, the keys that leave the selection, and those that select all, paste, and bring
+  /// the present text back (undo); no others with Ctrl, Alt or Meta.
   TypedKey key(const QKeyEvent&);
   /// As if it were typed.
   void type(const QString&);
@@ -29,6 +30,7 @@ class TypedText {
   [[nodiscard]] bool unchanged() const { return text_.trimmed().isEmpty() || text_ == present_; }
 
  private:
+  bool edit(const QKeyEvent&);
   bool change(const QKeyEvent&);
 
   QString present_, text_;

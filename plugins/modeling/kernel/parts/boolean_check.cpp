@@ -39,17 +39,18 @@ class Body {
     }
   }
 
-  /// Whether all that is near a place is inside, or all of it outside; nothing where both are.
-  [[nodiscard]] std::optional<bool> holds(const Vec3& place, double reach) const {
-    if (triangles_.empty() || boxDistance(box_, place) > 2 * reach) return false;
-    const bool inside = field_.at(place) > 0;
+  /// How often the solid holds all that is near a place: 1 inside, 0 outside, anything else where its shells cross; nothing
+  /// where a surface is near.
+  [[nodiscard]] std::optional<int> timesHeld(const Vec3& place, double reach) const {
+    if (triangles_.empty() || boxDistance(box_, place) > 2 * reach) return 0;
+    const int times = field_.at(place);
     for (int axis = 0; axis < 3; ++axis)
       for (const double side : {-reach, reach}) {
         Vec3 beside = place;
         beside[axis] += side;
-        if ((field_.at(beside) > 0) != inside) return std::nullopt;
+        if (field_.at(beside) != times) return std::nullopt;
       }
-    return inside;
+    return times;
   }
 
   /// Both sides of places that are spread over the surface by area, and of some triangles of each size.
@@ -83,12 +84,13 @@ class Body {
 std::optional<bool> expected(const std::vector<Body>& inputs, BooleanOperation operation, const Vec3& place, double reach) {
   bool first = false, any = false, all = true, others = false;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    const auto inside = inputs[k].holds(place, reach);
-    if (!inside) return std::nullopt;
-    if (k == 0) first = *inside;
-    others = others || (k > 0 && *inside);
-    any = any || *inside;
-    all = all && *inside;
+    const auto times = inputs[k].timesHeld(place, reach);
+    if (!times) return std::nullopt;
+    const bool isInside = *times > 0;
+    if (k == 0) first = isInside;
+    others = others || (k > 0 && isInside);
+    any = any || isInside;
+    all = all && isInside;
   }
   switch (operation) {
     case BooleanOperation::Union:
@@ -124,10 +126,10 @@ std::optional<BooleanDoubt> booleanDoubt(const std::vector<TopoDS_Shape>& inputs
     progress.check();
     const auto wanted = expected(bodies, operation, place, reach);
     if (!wanted) continue;
-    const auto inside = made.holds(place, reach);
-    if (!inside) continue;
+    const auto times = made.timesHeld(place, reach);
+    if (!times) continue;
     ++asked;
-    if (*inside == *wanted) continue;
+    if (*times == (*wanted ? 1 : 0)) continue;
     if (++wrong == 1) doubt.place = place;
   }
   if (wrong == 0) return std::nullopt;

@@ -169,38 +169,36 @@ void UprightEdges::addCrossing(int k) {
 }
 
 /// What a facet covers between two times, seen from above.
-UprightEdges::Extent UprightEdges::extentOf(int facet, double low, double high) const {
+Box2 UprightEdges::extentOf(int facet, double low, double high) const {
   const LoftFacet& here = scene_.facet(facet);
-  Extent extent;
+  Box2 extent;
   for (const double t : {low, high})
     for (const auto& end : {here.from, here.to}) {
       const double x = (1 - t) * static_cast<double>(end[0].x) + t * static_cast<double>(end[1].x),
                    y = (1 - t) * static_cast<double>(end[0].y) + t * static_cast<double>(end[1].y);
-      extent.low = extent.low.cwiseMin(Vec2(x, y));
-      extent.high = extent.high.cwiseMax(Vec2(x, y));
+      extent.extend(Vec2(x, y));
     }
   return extent;
 }
 
 /// Where the common part of i and j lies; far more is added than rounding can amount to.
-UprightEdges::Extent UprightEdges::commonExtent(double low, double high) const {
-  const Extent ofI = extentOf(i_, low, high), ofJ = extentOf(j_, low, high);
-  Extent common{ofI.low.cwiseMax(ofJ.low), ofI.high.cwiseMin(ofJ.high)};
-  const double slack = 1 + slackOfHeight * std::max(common.low.cwiseAbs().maxCoeff(), common.high.cwiseAbs().maxCoeff());
-  common.low.array() -= slack;
-  common.high.array() += slack;
+Box2 UprightEdges::commonExtent(double low, double high) const {
+  Box2 common = extentOf(i_, low, high).intersection(extentOf(j_, low, high));
+  const double slack = 1 + slackOfHeight * std::max(common.min().cwiseAbs().maxCoeff(), common.max().cwiseAbs().maxCoeff());
+  common.min().array() -= slack;
+  common.max().array() += slack;
   return common;
 }
 
 void UprightEdges::addOtherEvents() {
   const double low = low_.t - low_.error - slackOfHeight, high = high_.t + high_.error + slackOfHeight;
-  const Extent common = commonExtent(low, high);
+  const Box2 common = commonExtent(low, high);
   through_.clear();
   const std::vector<int>& ofJ = scene_.near(j_);
   work_ += static_cast<double>(scene_.near(i_).size() + ofJ.size());
   for (const int k : ofJ) nearJ_[static_cast<std::size_t>(k)] = true;
   for (const int k : scene_.near(i_))
-    if (k != j_ && nearJ_[static_cast<std::size_t>(k)] && common.meets(extentOf(k, low, high))) {
+    if (k != j_ && nearJ_[static_cast<std::size_t>(k)] && common.intersects(extentOf(k, low, high))) {
       work_ += 10;
       addCrossing(k);
     }

@@ -1,8 +1,7 @@
 #pragma once
-#include <limits>
 #include <vector>
 
-#include "core/vector.h"
+#include "geometry/numeric/boxes.h"
 #include "kernel/solid/loft_scene.h"
 
 namespace blossom::minkowski {
@@ -38,13 +37,6 @@ class UprightEdges {
     int jump = 0;
   };
 
-  struct Extent {
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    [[nodiscard]] bool meets(const Extent& other) const {
-      return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-    }
-  };
-
   void pair(int i, int j, std::vector<LoftSide>& out);
   [[nodiscard]] Window windowOf(int facet, int line) const;
   /// @return whether the ramp is zero everywhere
@@ -57,8 +49,8 @@ class UprightEdges {
   [[nodiscard]] std::vector<std::size_t> sortedGroups(std::vector<Event>&) const;
   void addOwnEvents();
   bool cutToCommonPart();
-  [[nodiscard]] Extent extentOf(int facet, double low, double high) const;
-  [[nodiscard]] Extent commonExtent(double low, double high) const;
+  [[nodiscard]] Box2 extentOf(int facet, double low, double high) const;
+  [[nodiscard]] Box2 commonExtent(double low, double high) const;
   void addOtherEvents();
   void addCrossing(int k);
   [[nodiscard]] bool onFacet(int k, int line, const LoftTime&) const;

@@ -111,6 +111,7 @@ std::optional<BooleanDoubt> booleanDoubt(const std::vector<TopoDS_Shape>& inputs
   for (const TopoDS_Shape& input : inputs) smallest = std::min(smallest, diagonalOf(input));
   const double chord = 1e-3 * smallest, reach = 2 * chord;
   std::vector<Body> bodies;
+  bodies.reserve(inputs.size());
   for (const TopoDS_Shape& input : inputs) bodies.emplace_back(input, chord, progress);
   const Body made(result, chord, progress);
   std::mt19937_64 random(1);  // the same places each time

@@ -31,7 +31,7 @@ Look Look::light() {
   Look look;
   look.backgroundTop = hex("#fbfbfa");
   look.backgroundBottom = hex("#e4e6ea");
-  look.made = hex("#e08a2e");
+  look.made = hex("#b35c0a");
   look.control = hex("#2f66d0");
   look.surface = hex("#aab4c3");
   look.edge = hex("#474f5c");

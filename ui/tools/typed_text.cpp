@@ -4,12 +4,14 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QKeySequence>
+#include <algorithm>
 #include <utility>
 
 namespace blossom::ui {
 
 void TypedText::open(const QString& present) {
   present_ = text_ = present;
+  caret_ = present.size();
   selected_ = !present.isEmpty();
 }
 
@@ -42,16 +44,13 @@ bool TypedText::edit(const QKeyEvent& event) {
 }
 
 bool TypedText::change(const QKeyEvent& event) {
+  if (moveCaret(event.key())) return true;
   switch (event.key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Home:
-    case Qt::Key_End:
-      selected_ = false;
-      return true;
     case Qt::Key_Backspace:
+      erase(caret_ - 1);
+      return true;
     case Qt::Key_Delete:
-      text_ = std::exchange(selected_, false) ? QString() : text_.chopped(text_.isEmpty() ? 0 : 1);
+      erase(caret_);
       return true;
     default:
       break;
@@ -61,6 +60,49 @@ bool TypedText::change(const QKeyEvent& event) {
   return true;
 }
 
-void TypedText::type(const QString& more) { text_ = (std::exchange(selected_, false) ? QString() : text_) + more; }
+/// As in every line of text, a selection is left at the side to which the key goes.
+bool TypedText::moveCaret(int key) {
+  const bool whole = selected_ || key == Qt::Key_Home || key == Qt::Key_End;
+  switch (key) {
+    case Qt::Key_Left:
+    case Qt::Key_Home:
+      caret_ = whole ? 0 : std::max<qsizetype>(caret_ - 1, 0);
+      break;
+    case Qt::Key_Right:
+    case Qt::Key_End:
+      caret_ = whole ? text_.size() : std::min(caret_ + 1, text_.size());
+      break;
+    default:
+      return false;
+  }
+  selected_ = false;
+  return true;
+}
+
+void TypedText::toEnd() { moveCaret(Qt::Key_End); }
+
+void TypedText::erase(qsizetype at) {
+  if (std::exchange(selected_, false)) {
+    text_.clear();
+    caret_ = 0;
+  } else if (at >= 0 && at < text_.size()) {
+    text_.remove(at, 1);
+    caret_ = at;
+  }
+}
+
+void TypedText::type(const QString& more) {
+  if (std::exchange(selected_, false)) {
+    text_.clear();
+    caret_ = 0;
+  }
+  text_.insert(caret_, more);
+  caret_ += more.size();
+}
+
+QString TypedText::shown() const {
+  constexpr QChar caret(0x258F);  // a bar as high as a line
+  return selected_ ? text_ : QString(text_).insert(caret_, caret);
+}
 
 }  // namespace blossom::ui

@@ -24,6 +24,8 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -105,6 +107,9 @@ vtkSmartPointer<vtkPolyData> rectangle(const QSize& size, const QPointF& shift) 
   return data;
 }
 
+/// What becomes of a picture that the border of the view would cut.
+enum class InView { AsItLies, WithItsPosition, Always };
+
 /// A picture over all else, the lines and points that are brought before everything among it: the depth that these have is
 /// beyond that of the foreground where a driver does not limit it.
 class PictureActor : public vtkTexturedActor2D {
@@ -113,7 +118,55 @@ class PictureActor : public vtkTexturedActor2D {
   PictureActor(const PictureActor&) = delete;
   PictureActor& operator=(const PictureActor&) = delete;
 
+  void keepInView(InView how) { inView_ = how; }
+
   int RenderOverlay(vtkViewport* viewport) override {
+    const std::array<double, 2> shift = wayIntoView(viewport);
+    if (shift[0] == 0 && shift[1] == 0) return renderOverAll(viewport);
+    vtkCoordinate& position = *GetPositionCoordinate();
+    const std::array<int, 2> seen = seenAt(viewport);
+    const std::array<double, 3> world = {position.GetValue()[0], position.GetValue()[1], position.GetValue()[2]};
+    position.SetCoordinateSystemToViewport();
+    position.SetValue(seen[0] + shift[0], seen[1] + shift[1], 0);
+    const int rendered = renderOverAll(viewport);
+    position.SetCoordinateSystemToWorld();
+    position.SetValue(world[0], world[1], world[2]);
+    return rendered;
+  }
+
+ protected:
+  PictureActor() = default;
+  ~PictureActor() override = default;
+
+ private:
+  std::array<int, 2> seenAt(vtkViewport* viewport) {
+    const int* const at = GetPositionCoordinate()->GetComputedViewportValue(viewport);
+    return {at[0], at[1]};
+  }
+
+  /// In pixels of the frame, by which all of the picture is seen.
+  std::array<double, 2> wayIntoView(vtkViewport* viewport) {
+    if (inView_ == InView::AsItLies) return {0, 0};
+    constexpr int gap = 4;
+    const std::array<int, 2> at = seenAt(viewport);
+    const int* const size = viewport->GetSize();
+    const double* const bounds = pictureBounds();
+    std::array<double, 2> way{0, 0};
+    for (int k = 0; bounds && k < 2; ++k) {
+      if (inView_ == InView::WithItsPosition && (at.at(k) < 0 || at.at(k) > size[k])) return {0, 0};
+      const double low = at.at(k) + bounds[2 * k], high = at.at(k) + bounds[2 * k + 1];
+      if (high - low + 2 * gap > size[k]) continue;
+      way.at(k) = std::max(gap - low, 0.0) + std::min(size[k] - gap - high, 0.0);
+    }
+    return way;
+  }
+
+  const double* pictureBounds() {
+    auto* const flat = vtkPolyDataMapper2D::SafeDownCast(GetMapper());
+    return flat && flat->GetInput() ? flat->GetInput()->GetBounds() : nullptr;
+  }
+
+  int renderOverAll(vtkViewport* viewport) {
     auto* const window = vtkOpenGLRenderWindow::SafeDownCast(viewport->GetVTKWindow());
     if (!window) return vtkTexturedActor2D::RenderOverlay(viewport);
     constexpr unsigned int depthTest = 0x0B71;  // GL_DEPTH_TEST
@@ -123,18 +176,17 @@ class PictureActor : public vtkTexturedActor2D {
     return vtkTexturedActor2D::RenderOverlay(viewport);
   }
 
- protected:
-  PictureActor() = default;
-  ~PictureActor() override = default;
+  InView inView_ = InView::AsItLies;
 };
-vtkStandardNewMacro(PictureActor)
+vtkStandardNewMacro(PictureActor);
 
-    PropPtr flatProp(const QImage& image, const Vec3& at, const QPointF& shift) {
+PropPtr flatProp(const QImage& image, const Vec3& at, const QPointF& shift, InView how) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
   mapper->SetInputData(rectangle(image.size(), shift));
   auto actor = vtkSmartPointer<PictureActor>::New();
   actor->SetMapper(mapper);
   actor->SetTexture(textureOf(image));
+  actor->keepInView(how);
   actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), at.z());
   actor->PickableOff();
@@ -211,10 +263,13 @@ bool isCutBySection(vtkProp& prop) { return prop.GetPropertyKeys() && prop.GetPr
 
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
   // Above the place, so that what it names stays in sight.
-  return flatProp(drawnLabel(text, look), at, (QPointF(0, labelGap) + look.shift) * look.pixelRatio);
+  return flatProp(drawnLabel(text, look), at, (QPointF(0, labelGap) + look.shift) * look.pixelRatio,
+                  look.follow ? InView::Always : InView::WithItsPosition);
 }
 
-PropPtr pictureProp(const QImage& image, const Vec3& at) { return flatProp(image, at, QPointF(0, -image.height() / 2.0)); }
+PropPtr pictureProp(const QImage& image, const Vec3& at) { 
+  return flatProp(image, at, QPointF(0, -image.height() / 2.0), InView::AsItLies);
+}
 
 QColor qtColor(const Color& color, double opacity) {
   return QColor::fromRgbF(static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue),

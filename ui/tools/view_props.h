@@ -25,11 +25,13 @@ PropPtr pointsProp(const std::vector<Vec3>& points, const Color&, double size);
 /// Transparent triangles; `opacity` from 0 to 1. They do not hide objects in front of them.
 PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const Color&, double opacity);
 
-/// A text on a small card of constant size that faces the viewer, just above its position.
+/// A text on a small card of constant size that faces the viewer, just above its position. It lies whole within the view
+/// as long as its position does.
 struct LabelLook {
   QColor text, card, border;
   double pixelRatio = 1;
-  QPointF shift = {};  ///< logical pixels, to the right and up
+  QPointF shift = {};   ///< logical pixels, to the right and up
+  bool follow = false;  ///< seen at the border of the view when its position is beyond it
 };
 inline constexpr double labelGap = 6;  ///< logical pixels from the position to the card above it
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);

@@ -50,7 +50,7 @@ QString MorphTool::offsetText(const Vec2& offset) const {
 
 /// The number that a drag changes, on a card at the handle; as it is typed with a mark at its end.
 QString MorphTool::valueText(const Handle& handle) const {
-  if (typing_) return entry_.text() + QChar(0x258F);
+  if (typing_) return entry_.shown();
   const Placement& now = placements_[handle.shape];
   if (handle.grip == Grip::Scale) return QChar(0xD7) + QStringLiteral(" %1").arg(shown(now.scale));
   if (handle.grip == Grip::Turn) return shown(now.turn) + QChar(0xB0);

@@ -137,7 +137,7 @@ void DragTool::paintDimensions(ToolPaint& painter) const {
   const std::vector<Dimension> all = dimensions(parameters_);
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k == typing_) {
-      painter.entry(all[k].at, entry_.text(), entry_.selected(), shiftOf(all[k]));
+      painter.entry(all[k].at, entry_, shiftOf(all[k]));
       continue;
     }
     const bool lit = k == pointed_;

@@ -181,13 +181,13 @@ void ToolPaint::label(const Vec2& at, const QString& text, const Color& color, c
   props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, card));
 }
 
-void ToolPaint::entry(const Vec2& at, const QString& text, bool selected, const QPointF& shift) {
-  if (!selected) return label(at, text + QStringLiteral(" |"), look_.made, shift);
+void ToolPaint::entry(const Vec2& at, const ui::TypedText& text, const QPointF& shift) {
+  if (!text.selected()) return label(at, text.shown(), look_.made, shift);
   ui::LabelLook card = ui::labelLook(look_, look_.backgroundBottom, ratio_);
   card.card = ui::qtColor(look_.made);
   card.border = card.card;
   card.shift = shift;
-  props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, card));
+  props_.push_back(ui::labelProp(text.shown(), {at.x(), at.y(), 0}, card));
 }
 
 }  // namespace blossom::modeling

@@ -8,6 +8,7 @@
 #include "geometry/planar/region.h"
 #include "kernel/outline/outline_snap.h"
 #include "scene/scene.h"
+#include "ui/tools/typed_text.h"
 
 class vtkProp;
 
@@ -33,7 +34,7 @@ class ToolPaint {
   /// @param shift logical pixels, to the right and up
   void label(const Vec2& at, const QString& text, const Color&, const QPointF& shift = {});
   /// A text that is being typed, like a label; on the colour of a selection as long as the next key takes its place.
-  void entry(const Vec2& at, const QString& text, bool selected, const QPointF& shift);
+  void entry(const Vec2& at, const ui::TypedText&, const QPointF& shift);
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> take() { return std::move(props_); }

@@ -58,7 +58,10 @@ GoalEntry GoalEntry::ofAngle(double presentDegrees) {
 ui::TypedKey GoalEntry::key(const QKeyEvent& event) {
   if (event.key() != Qt::Key_Tab && event.key() != Qt::Key_Backtab) return text_.key(event);
   const bool more = text_.selected() || coordinatesIn(text_.text()).size() < coordinates;
-  if (event.key() == Qt::Key_Tab && !angle_ && more) text_.type(QStringLiteral(", "));
+  if (event.key() == Qt::Key_Tab && !angle_ && more) {
+    if (!text_.selected()) text_.toEnd();
+    text_.type(QStringLiteral(", "));
+  }
   return ui::TypedKey::Text;  // the focus stays where something is typed
 }
 

@@ -124,13 +124,15 @@ void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& 
     ui::LabelLook wrong = ui::labelLook(host_.look(), host_.look().fault, host_.pixelRatio());
     wrong.card = ui::qtColor(ground);
     wrong.shift = {0, ringReach + cardHeight};
+    wrong.follow = true;
     props_.push_back(ui::labelProp(problem, at, wrong));
   }
   ui::LabelLook look = ui::labelLook(host_.look(), text.selected() ? ground : made, host_.pixelRatio());
   look.card = ui::qtColor(text.selected() ? made : ground);
   look.border = ui::qtColor(made);
   look.shift = {0, ringReach};  // above the ring
-  props_.push_back(ui::labelProp(text.selected() ? text.text() + unit : text.text() + QStringLiteral(" |"), at, look));
+  look.follow = true;           // wherever the point goes
+  props_.push_back(ui::labelProp(text.shown() + unit, at, look));
 }
 
 std::vector<Vec3> copiesOf(const Motion& motion, const MotionPlace& at, const EditSymmetry& symmetry) {

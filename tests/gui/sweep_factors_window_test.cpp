@@ -300,6 +300,12 @@ void SweepFactorsWindowTest::weightsAreTyped() {
   QVERIFY(problem && problem->isVisible());
   QVERIFY2(problem->text().contains(QStringLiteral("weight would be 0")), qPrintable(problem->text()));
   QVERIFY(std::ranges::equal(document().features(), kept.features()));
+  auto* const field = part<QLineEdit>("factorField3");
+  QCOMPARE(field->text(), QStringLiteral("0"));  // what was refused stays beside the reason
+  clickIn(net(), poleAt(0, 0));
+  clickIn(net(), poleAt(0, 1));
+  QVERIFY(!problem->isVisible());
+  QCOMPARE(field->text(), QStringLiteral("3"));
 }
 
 void SweepFactorsWindowTest::escapeTakesTypingBack() {

@@ -230,8 +230,13 @@ void SweepGoalWindowTest::keysOfEditingBelongToTheText() {
   type(QStringLiteral("888"));
   withControl(Qt::Key_A);
   QVERIFY(window_->page().tool()->entering());
-  QGuiApplication::clipboard()->setText(QStringLiteral("14, -10, 21"));
+  QGuiApplication::clipboard()->setText(QStringLiteral("9, -10, 1"));
   withControl(Qt::Key_V);
+  key(Qt::Key_Left);
+  type(QStringLiteral("2"));  // before the last digit
+  key(Qt::Key_Home);
+  key(Qt::Key_Delete);
+  type(QStringLiteral("14"));
   key(Qt::Key_Return);
   waitUntilComputed();
   QCOMPARE(vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]), Vec3(14, -10, 21));

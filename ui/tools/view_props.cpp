@@ -267,7 +267,7 @@ PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
                   look.follow ? InView::Always : InView::WithItsPosition);
 }
 
-PropPtr pictureProp(const QImage& image, const Vec3& at) { 
+PropPtr pictureProp(const QImage& image, const Vec3& at) {
   return flatProp(image, at, QPointF(0, -image.height() / 2.0), InView::AsItLies);
 }
 

@@ -7,12 +7,21 @@
 
 #include "geometry/bspline/bspline.h"
 #include "kernel/grid/motion_point.h"
+#include "manipulators/marks/pull_ring.h"
 
 namespace blossom::sweep {
 
 namespace {
 
 constexpr double degreesPerRadian = 180 / std::numbers::pi;
+
+/// The side of a normal that faces the viewer, who looks nearly along it: a point of it would run away from the mouse.
+std::optional<Vec3> normalSeenEndOn(const Vec3& normal, const Vec3& towards) {
+  constexpr double nearly = 0.966;  // within 15 degrees, where a point would go four times as far as the mouse
+  const double along = normal.dot(towards);
+  if (std::abs(along) < nearly) return std::nullopt;
+  return along > 0 ? Vec3(-normal) : normal;
+}
 
 }  // namespace
 
@@ -33,17 +42,25 @@ std::optional<Vec3> DragTarget::inPlane(const Ray& ray) const {
 }
 
 const Vec3& DragTarget::follow(const ui::ToolEvent& event) {
-  const Vec3& d = event.ray.direction;
+  const auto held = inPlane(event.ray);
   if (event.modifiers.testFlag(Qt::ShiftModifier)) {
-    // The point of the normal that comes nearest to the line of sight.
-    const double slant = normal_.dot(d), across = 1 - slant * slant;
-    const Vec3 from = start_ + off_ - event.ray.origin;
-    constexpr double seenEndOn = 1e-6;
-    if (across > seenEndOn) now_ = start_ + (slant * from.dot(d) - from.dot(normal_)) / across * normal_;
-  } else if (const auto held = inPlane(event.ray)) {
+    followNormal(event.ray, held);
+  } else if (held) {
     now_ = *held - off_;
   }
   return now_;
+}
+
+/// To the point of the normal that comes nearest to the line of sight; where it is seen end on, by the way of the mouse up.
+void DragTarget::followNormal(const Ray& ray, const std::optional<Vec3>& held) {
+  if (const auto outwards = normalSeenEndOn(normal_, towards_)) {
+    if (held) now_ = start_ + (*held - off_ - start_).dot(facing(towards_, 1).up) * *outwards;
+    return;
+  }
+  const double slant = normal_.dot(ray.direction), across = 1 - slant * slant;
+  const Vec3 from = start_ + off_ - ray.origin;
+  constexpr double endOn = 1e-6;
+  if (across > endOn) now_ = start_ + (slant * from.dot(ray.direction) - from.dot(normal_)) / across * normal_;
 }
 
 Vec3 twistAxis(const Motion& motion, const MotionPlace& at, PullMode::Axis chosen) {

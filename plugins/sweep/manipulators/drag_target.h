@@ -14,8 +14,8 @@ class DragTarget {
   /// Without a mouse: the goal is typed.
   DragTarget(const PlaceHit& start, const Vec3& towards);
 
-  /// In the plane through the point that faces the viewer; with Shift along the normal of the surface. Where the mouse
-  /// determines no point, the one before.
+  /// In the plane through the point that faces the viewer; with Shift along the normal of the surface, which is followed up
+  /// and down the screen where it points at the viewer. Where the mouse determines no point, the one before.
   const Vec3& follow(const ui::ToolEvent&);
   [[nodiscard]] const Vec3& now() const { return now_; }
   [[nodiscard]] const Vec3& start() const { return start_; }
@@ -23,6 +23,7 @@ class DragTarget {
 
  private:
   [[nodiscard]] std::optional<Vec3> inPlane(const Ray&) const;
+  void followNormal(const Ray&, const std::optional<Vec3>& held);
 
   Vec3 start_ = Vec3::Zero(), now_ = Vec3::Zero(), normal_ = Vec3::UnitZ(), towards_ = Vec3::UnitY();
   Vec3 off_ = Vec3::Zero();  ///< from the point to where the mouse took hold

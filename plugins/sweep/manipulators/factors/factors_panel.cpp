@@ -196,13 +196,23 @@ void FactorsPanel::setValues(const Texts& texts, bool editable) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     QLineEdit* const field = fields_[k];
     field->setEnabled(editable || factor_ == Factor::Orientation);
+    if (factor_ == Factor::Orientation) continue;
+    known_[k] = texts[k];
     const bool typing = field->hasFocus() && field->isModified();
-    if (factor_ == Factor::Orientation || typing || field->text() == texts[k]) continue;
-    field->setText(texts[k]);
-    field->setCursorPosition(0);
+    if (!typing && !isRefused(*field)) showKnown(k);
   }
   for (QWidget* each : std::initializer_list<QWidget*>{turn_, set_, ball_}) each->setEnabled(editable);
 }
+
+void FactorsPanel::showKnown(std::size_t field) {
+  QLineEdit& line = *fields_[field];
+  if (line.text() == known_[field]) return;
+  line.setText(known_[field]);
+  line.setCursorPosition(0);
+}
+
+/// What was refused stays in its field, beside the reason.
+bool FactorsPanel::isRefused(const QLineEdit& field) { return field.property("wrong").toBool(); }
 
 void FactorsPanel::setSummary(const QString& summary) {
   if (summary_->text() != summary) summary_->setText(summary);
@@ -211,8 +221,8 @@ void FactorsPanel::setSummary(const QString& summary) {
 void FactorsPanel::enter(int field) {
   QLineEdit* const line = fields_[static_cast<std::size_t>(field)];
   if (!line->isModified()) return;
-  line->setModified(false);
   forgive();
+  line->setModified(false);
   emit typed(field, line->text());
 }
 
@@ -251,7 +261,11 @@ void FactorsPanel::refuse(int field, const QString& why) {
 }
 
 void FactorsPanel::forgive() {
-  for (QLineEdit* field : fields_) ui::restyle(field, "wrong", false);
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    QLineEdit& line = *fields_[k];
+    if (isRefused(line) && factor_ != Factor::Orientation && !line.isModified()) showKnown(k);
+    ui::restyle(&line, "wrong", false);
+  }
   if (problem_->isHidden()) return;
   problem_->hide();
   settle();

@@ -32,6 +32,8 @@ class FactorsPanel final : public ui::FloatingPanel {
   /// Fields that are being typed in are left alone. @param editable poles are chosen, and can be changed
   void setValues(const Texts&, bool editable);
   void setSummary(const QString&);
+  /// Says why the text of a field was refused; it stays there until something else is typed or chosen.
+  /// @param field of -1: what was refused was not typed
   void refuse(int field, const QString& why);
   void forgive();
   [[nodiscard]] FactorNet& net() const { return *net_; }
@@ -67,6 +69,8 @@ class FactorsPanel final : public ui::FloatingPanel {
   void enter(int field);
   [[nodiscard]] QLineEdit* fieldOfTyping() const;
   void takeBackTyping();
+  void showKnown(std::size_t field);
+  [[nodiscard]] static bool isRefused(const QLineEdit& field);
 
   QButtonGroup *factors_, *directions_;
   FactorNet* net_;
@@ -74,6 +78,7 @@ class FactorsPanel final : public ui::FloatingPanel {
   TurnBall* ball_;
   std::array<QToolButton*, fieldCount> names_{};
   std::array<QLineEdit*, fieldCount> fields_{};
+  Texts known_;  ///< of the chosen poles
   QWidget* turning_;
   QPushButton *turn_, *set_;
   QToolButton *frames_, *iso_, *combs_;

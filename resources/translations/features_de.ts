@@ -216,12 +216,12 @@
         <translation>Kleinstes Gewicht bei</translation>
     </message>
     <message>
-        <source>Smallest |xu × xv|</source>
-        <translation>Kleinstes |xu × xv|</translation>
+        <source>Min |xu × xv|</source>
+        <translation>Min. |xu × xv|</translation>
     </message>
     <message>
-        <source>Smallest |xu × xv| at</source>
-        <translation>Kleinstes |xu × xv| bei</translation>
+        <source>Min |xu × xv| at</source>
+        <translation>Min. |xu × xv| bei</translation>
     </message>
     <message>
         <source>Spans in u</source>

@@ -9,7 +9,9 @@
 namespace blossom {
 
 std::string placeText(const Vec3& p) {
-  const auto clean = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : v; };
+  constexpr double nothing = 1e-9, share = 1e-8;
+  const double noise = std::max(nothing, share * p.cwiseAbs().maxCoeff());
+  const auto clean = [noise](double v) { return std::abs(v) < noise ? 0.0 : v; };
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(p.x()), clean(p.y()), clean(p.z()));
 }
 

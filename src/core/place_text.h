@@ -5,8 +5,8 @@
 
 namespace blossom {
 
-/// Coordinates of a point as messages print them: "(1, 2.5, -3)", in mm with six digits; values within 1e-9 mm of 0 are
-/// printed as 0.
+/// Coordinates of a point as messages print them: "(1, 2.5, -3)", in mm with six digits; values within 1e-9 mm of 0,
+/// or 1e-8 of the largest coordinate, are printed as 0.
 std::string placeText(const Vec3&);
 
 /// The same with no more digits than help to find the place in a thing of this size: rounded to the power of ten in which

@@ -24,6 +24,7 @@ class CommandStartTest : public WindowFixture {
   void theAnswerMayComeFromTheTree();
   void whereOneShapeFitsItIsTaken();
   void whereNothingFitsItIsSaid();
+  void whatMakesTheMissingShapeIsOffered();
   void inputsAreInTheOrderOfTheSelection();
 
  private:
@@ -200,6 +201,20 @@ void CommandStartTest::whereNothingFitsItIsSaid() {
   QCOMPARE(features(), std::size_t{0});
   QCOMPARE(window_->page().errors().message(),
            QStringLiteral("There is nothing here yet for Fillet: it takes a solid to round."));
+}
+
+/// What makes the missing shape is at hand, that of the same plugin first.
+void CommandStartTest::whatMakesTheMissingShapeIsOffered() {
+  run("feature.sweep.pull");
+  const auto offers = window_->page().errors().findChildren<QPushButton*>();
+  QVERIFY(!offers.empty());
+  QTest::mouseClick(offers.front(), Qt::LeftButton);
+  waitUntilComputed();
+  QVERIFY(features() > 0);
+  const auto result = window_->session().view(last())->result;
+  QVERIFY(result && !result->error);
+  run("feature.sweep.pull");
+  QVERIFY(window_->page().errors().isHidden());
 }
 
 BLOSSOM_WINDOW_TEST(CommandStartTest)

@@ -134,6 +134,32 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
   }
 }
 
+namespace {
+
+/// Begins without anything, and gives what an input takes.
+bool beginsWith(const FeatureType& type, const InputSpec& input) {
+  const auto optional = [](const InputSpec& each) { return each.minimum == 0; };
+  if (!std::all_of(type.inputs.begin(), type.inputs.end(), optional)) return false;
+  const auto accepted = [&](ShapeKind kind) {
+    return std::find(input.kinds.begin(), input.kinds.end(), kind) != input.kinds.end();
+  };
+  return std::any_of(type.produces.begin(), type.produces.end(), accepted);
+}
+
+}  // namespace
+
+/// Types that make what an input takes, at most `count`; those of one plugin first.
+std::vector<std::shared_ptr<const FeatureType>> FeatureMenus::makersOf(const InputSpec& input, const FeatureType& user,
+                                                                       std::size_t count) const {
+  const auto plugin = [](const FeatureType& type) { return type.id.substr(0, type.id.find('.')); };
+  std::vector<std::shared_ptr<const FeatureType>> own, others;
+  for (const auto& [action, type] : types_)
+    if (action->isEnabled() && beginsWith(*type, input)) (plugin(*type) == plugin(user) ? own : others).push_back(type);
+  own.insert(own.end(), others.begin(), others.end());
+  own.resize(std::min(own.size(), count));
+  return own;
+}
+
 void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& missing) {
   page_->showError(Error(ErrorCode::InvalidInput,
                          missing.minimum == 1 ? tr("There is nothing here yet for %1: it takes %2.")
@@ -144,6 +170,9 @@ void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& mis
                                                     .arg(missing.minimum)
                                                     .toStdString(),
                          tr("Draw or make one, or import a file.").toStdString()));
+  constexpr std::size_t offered = 2;
+  for (const auto& maker : makersOf(missing, type, offered))
+    page_->errors().offer(registryText(maker->title), [this, maker] { add(*maker, Value::object()); });
   if (type.inputs.size() != 1 || missing.minimum != 1) return;
   page_->errors().offer(tr("Import a file…"), [this, &type] { addFromFile(type); });
 }

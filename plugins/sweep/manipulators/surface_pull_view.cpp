@@ -234,7 +234,8 @@ void SurfacePullTool::markAxes(PullMarks& marks) const {
 void SurfacePullTool::markEdit(PullMarks& marks) const {
   const PlaceHit& hit = edit_->grip().hit;
   const Motion& now = edit_->live().motion();
-  const Vec3 end = placeHit(now, hit.at).point, centre = point(edit_->before().trajectory, hit.at.v);
+  const PlaceHit moved = placeHit(now, hit.at);
+  const Vec3 &end = moved.point, centre = point(edit_->before().trajectory, hit.at.v);
   if (entry_) marks.entry(end, entry_->text(), entry_->isAngle() ? QStringLiteral("°") : QString(), typingProblem());
   if (edit_->twists(mode_)) {
     const Vec3 axis = edit_->axis(mode_);
@@ -247,6 +248,7 @@ void SurfacePullTool::markEdit(PullMarks& marks) const {
     if (!entry_) marks.tell(end, wayText(), true);
   }
   marks.way(edit_->from(), end);
+  marks.isoCurves(now, moved, towards_);
   std::vector<Vec3> copies;
   copiesProblem(now, hit.at, mode_.symmetry(), copies);
   marks.copies(copies);

@@ -59,8 +59,13 @@ void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode&
     border.averted.insert(border.averted.end(), each.averted.begin(), each.averted.end());
   }
   surfaceLines(border, 1);
-  surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
+  isoCurves(motion, hit, towards);
   points({hit.point}, host_.look().control, pointPixels);
+}
+
+void PullMarks::isoCurves(const Motion& motion, const PlaceHit& hit, const Vec3& towards) {
+  const double side = hit.normal.dot(towards) >= 0 ? 1 : -1;
+  surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
 }
 
 /// Hollow, unlike places that were chosen. Of points at one place the first is seen.

@@ -20,6 +20,7 @@ class PullMarks {
 
   /// The point under the mouse, its iso-curves and the borders of what an edit there and its copies would touch.
   void place(const Motion&, const PlaceHit&, const PullMode&, const Vec3& towards);
+  void isoCurves(const Motion&, const PlaceHit&, const Vec3& towards);
   void copies(const std::vector<Vec3>&);
   /// Places that go along, and those that stay.
   void chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& pinned);

@@ -46,6 +46,7 @@ FeatureType frameFeature() {
       .parameter("number", &P::number, count(1, static_cast<int>(maximumFrames)), "Which frame, counted from 1.")
       .parameter("time", &P::time, whenNone(optional(number()), "the frame of that number"),
                  "In place of the number: the frame whose time is nearest to this; of two the earlier one.")
+      .takesFrame("number")
       .example("blossom frame walk.blossom --number 7 -o seventh.svg")
       .example("blossom frame walk.blossom --time 0.25 -o quarter.step")
       .evaluate(takenFrame);

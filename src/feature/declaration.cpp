@@ -118,13 +118,18 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
     broken(what, fmt::format("has no list \"{}\" that keeps it from playing", played.excludedBy));
 }
 
-void checkPreviews(const std::string& what, const FeatureType& type) {
-  const std::string& name = type.previewedBy;
-  const auto counts = [&](const ParameterSpec& spec) {
-    return spec.name == name && spec.kind == ParameterKind::Count && spec.minimum == 0.0;
-  };
-  if (!name.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), counts))
-    broken(what, fmt::format("cannot be previewed by \"{}\": it must be a count from 0", name));
+bool hasCount(const FeatureType& type, const std::string& name, double from) {
+  return std::any_of(type.parameters.begin(), type.parameters.end(), [&](const ParameterSpec& spec) {
+    return spec.name == name && spec.kind == ParameterKind::Count && spec.minimum == from;
+  });
+}
+
+void checkCounts(const std::string& what, const FeatureType& type) {
+  if (!type.previewedBy.empty() && !hasCount(type, type.previewedBy, 0))
+    broken(what, fmt::format("cannot be previewed by \"{}\": it must be a count from 0", type.previewedBy));
+  if (!type.takesFrame.empty() && !(hasCount(type, type.takesFrame, 1) && !type.inputs.empty()))
+    broken(what, fmt::format("cannot take a frame by \"{}\": it must be a count from 1, and there must be an input",
+                             type.takesFrame));
 }
 
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.
@@ -190,7 +195,7 @@ void check(FeatureType& type) {
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);
-  checkPreviews(what, type);
+  checkCounts(what, type);
   checkEdited(what, type);
 }
 

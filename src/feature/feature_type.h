@@ -143,6 +143,9 @@ struct FeatureType {
   /// A count: cells along the largest side of a preview that is shown while something is dragged, 0 for the exact result;
   /// empty: the feature has no previews.
   std::string previewedBy = {};
+  /// A count from 1, the number of a frame of the first input: where a sequence is seen, that of the frame which is shown is
+  /// what the feature begins with; empty: it takes no frame.
+  std::string takesFrame = {};
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
   /// What goes between the import and the feature that opens the shape; not set: nothing. Only where `opens` is set.
@@ -225,6 +228,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& previewedBy(std::string parameter) {
     type_.previewedBy = std::move(parameter);
+    return *this;
+  }
+  FeatureBuilder& takesFrame(std::string parameter) {
+    type_.takesFrame = std::move(parameter);
     return *this;
   }
   FeatureBuilder& input(InputSpec spec) {

@@ -28,6 +28,7 @@ class TimelineWindowTest : public WindowFixture {
   void playKeepsTheFocus();
   void theTimelineGoesWithItsSequence();
   void aSelectedSequenceIsExtruded();
+  void theFrameThatIsSeenIsTaken();
   void digitsInTheFieldOfTheTimeAreNoShortcuts();
   void theTimeOfTheMorphIsThatOfTheFrame();
   void keysAreSetAndDragged();
@@ -264,6 +265,15 @@ void TimelineWindowTest::aSelectedSequenceIsExtruded() {
 
 // Frame k of 11 is the shape at t = k / 10.
 // After a single click, in which nothing is typed yet: 0 is Home of the view, 3 a side of it, a point the next frame.
+void TimelineWindowTest::theFrameThatIsSeenIsTaken() {
+  slider().setValue(6);
+  window_->tree().select(last());
+  run("feature.modeling.frame");
+  waitUntilComputed();
+  QCOMPARE(window_->session().document().at(last()).parameters.value("number", 0), 7);
+  COMPARE_NEAR(measureOf(last(), "area"), 16 * 16, 1e-9);
+}
+
 void TimelineWindowTest::digitsInTheFieldOfTheTimeAreNoShortcuts() {
   auto* const line = window_->properties().field(QStringLiteral("t"))->findChild<QLineEdit*>();
   const QPoint middle = line->rect().center();

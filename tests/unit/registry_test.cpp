@@ -315,6 +315,23 @@ class RegistryTest : public QObject {
     registry.add(quick);
   }
 
+  void aTakenFrameIsACountFrom1OfAnInput() {
+    const auto taking = [](const std::string& parameter, int from) {
+      FeatureType type = thingType("test.taking");
+      type.inputs = {{.name = "sequence", .help = "A sequence.", .kinds = {ShapeKind::Sequence}}};
+      type.parameters.push_back(namedWithDefault(count(from, 200), "frame", 1));
+      type.takesFrame = parameter;
+      return type;
+    };
+    Registry registry;
+    VERIFY_ERROR(registry.add(taking("nothing", 1)), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.add(taking("frame", 0)), ErrorCode::PluginBroken);
+    FeatureType lonely = taking("frame", 1);
+    lonely.inputs.clear();
+    VERIFY_ERROR(registry.add(lonely), ErrorCode::PluginBroken);
+    registry.add(taking("frame", 1));
+  }
+
   void aDeclarationIsReplacedInItsPlace() {
     Registry registry;
     registry.addAll(thingType(), thingType("test.other"));

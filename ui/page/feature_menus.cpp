@@ -102,6 +102,15 @@ void inDocumentOrder(const Document& document, Place from, Place to) {
   std::sort(from, to, [&](const FeatureId& a, const FeatureId& b) { return places.at(a) < places.at(b); });
 }
 
+/// Of a sequence the frame that is seen is meant.
+void takeShownFrame(const DocumentPage& page, const FeatureType& type, const std::vector<FeatureId>& inputs,
+                    Value& parameters) {
+  if (type.takesFrame.empty() || inputs.empty() || parameters.contains(type.takesFrame)) return;
+  const Shape* const shape = page.session().shape(inputs.front());
+  const auto* const sequence = shape ? shape->get<Sequence>() : nullptr;
+  if (sequence) parameters[type.takesFrame] = page.shownFrame(static_cast<int>(sequence->frames.size())) + 1;
+}
+
 }  // namespace
 
 // What is missing is taken where the document leaves no choice, else asked for in the view.
@@ -113,6 +122,7 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
       page.view().setSelectedParts({});
       Value parameters = preset;
       parameters.update(start.parameters);
+      takeShownFrame(page, type, start.inputs, parameters);
       return page.session().addFeature(type, start.inputs, parameters, start.users);
     }
     const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);

@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <set>
+#include <span>
 
+#include "core/parallel.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "kernel/plane_triangles.h"
 
 namespace blossom::morphology {
 
 namespace {
+
+constexpr std::size_t regionsOfPart = 64;  // that are worked on beside others
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -157,30 +159,62 @@ class Chains {
   std::vector<bool> stays_;
 };
 
-/// The boundary of each region as loops of vertices, counter-clockwise.
-std::vector<std::vector<std::vector<int>>> loopsOf(const Mesh& mesh, const std::vector<int>& regionOfFace,
-                                                   std::size_t count) {
-  std::vector<std::multimap<int, int>> steps(count);
-  std::set<std::tuple<int, int, int>> inner;  // region, from, to
+/// From a vertex to the next one along the boundary of a region, counter-clockwise.
+struct Step {
+  int region = 0, from = 0, to = 0;
+  friend auto operator<=>(const Step&, const Step&) = default;
+};
+
+/// In order: by region, then by where they begin.
+std::vector<Step> boundarySteps(const Mesh& mesh, const std::vector<int>& regionOfFace) {
+  std::vector<Step> all, boundary;
+  all.reserve(3 * mesh.faceCount());
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto face = mesh.face(f);
-    for (std::size_t k = 0; k < 3; ++k) inner.emplace(regionOfFace[f], face[k], face[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) all.push_back({regionOfFace[f], face[k], face[(k + 1) % 3]});
   }
-  for (const auto& [region, from, to] : inner)
-    if (!inner.contains({region, to, from})) steps[at(region)].emplace(from, to);
-  std::vector<std::vector<std::vector<int>>> loops(count);
-  for (std::size_t r = 0; r < count; ++r)
-    while (!steps[r].empty()) {
-      std::vector<int> loop;
-      auto step = steps[r].begin();
-      while (step != steps[r].end()) {
-        loop.push_back(step->first);
-        const int to = step->second;
-        steps[r].erase(step);
-        step = steps[r].find(to);
-      }
-      loops[r].push_back(std::move(loop));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const Step& step : all)
+    if (!std::binary_search(all.begin(), all.end(), Step{step.region, step.to, step.from})) boundary.push_back(step);
+  return boundary;
+}
+
+/// The loops that the steps of one region make. @param steps in order
+std::vector<std::vector<int>> loopsAlong(std::span<const Step> steps) {
+  std::vector<std::vector<int>> loops;
+  std::vector<bool> gone(steps.size(), false);
+  const auto nextFrom = [&](int vertex) {
+    const auto at =
+        std::lower_bound(steps.begin(), steps.end(), vertex, [](const Step& step, int from) { return step.from < from; });
+    auto k = static_cast<std::size_t>(at - steps.begin());
+    while (k < steps.size() && steps[k].from == vertex && gone[k]) ++k;
+    return k < steps.size() && steps[k].from == vertex ? k : steps.size();
+  };
+  for (std::size_t start = 0; start < steps.size(); ++start) {
+    if (gone[start]) continue;
+    std::vector<int> loop;
+    for (std::size_t k = start; k < steps.size(); k = nextFrom(steps[k].to)) {
+      loop.push_back(steps[k].from);
+      gone[k] = true;
     }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// The boundary of each region as loops of vertices, counter-clockwise.
+std::vector<std::vector<std::vector<int>>> loopsOf(const Mesh& mesh, const std::vector<int>& regionOfFace, std::size_t count,
+                                                   const Progress& progress) {
+  const std::vector<Step> steps = boundarySteps(mesh, regionOfFace);
+  std::vector<std::size_t> starts(count + 1, 0);  // of the steps of each region
+  for (const Step& step : steps) ++starts[at(step.region) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<std::vector<std::vector<int>>> loops(count);
+  parallelFor(count, regionsOfPart, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t r = first; r < last; ++r)
+      loops[r] = loopsAlong(std::span(steps).subspan(starts[r], starts[r + 1] - starts[r]));
+  });
   return loops;
 }
 
@@ -199,14 +233,19 @@ double areaOf(const Mesh& mesh, const std::vector<std::array<int, 3>>& triangles
 /// Vertices that lie in one place with another: there the surface touches itself, which it must go on doing in common
 /// vertices and edges.
 std::vector<int> touchingPlaces(const Mesh& mesh) {
-  std::map<std::array<double, 3>, std::vector<int>> seen;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const Vec3& p = mesh.points[v];
-    seen[{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}].push_back(static_cast<int>(v));
-  }
+  const auto place = [&](int v) -> std::array<double, 3> {
+    const Vec3& p = mesh.points[at(v)];
+    return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+  };
+  std::vector<int> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
   std::vector<int> touching;
-  for (const auto& [place, vertices] : seen)
-    if (vertices.size() > 1) touching.insert(touching.end(), vertices.begin(), vertices.end());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool before = k > 0 && place(order[k - 1]) == place(order[k]);
+    const bool after = k + 1 < order.size() && place(order[k + 1]) == place(order[k]);
+    if (before || after) touching.push_back(order[k]);
+  }
   return touching;
 }
 
@@ -238,6 +277,12 @@ Vec3 normalOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops) {
 
 using Faces = std::vector<std::vector<int>>;
 
+/// What a region is made of anew.
+struct Covering {
+  Faces faces;
+  bool isWhole = false;
+};
+
 /// The faces of a region from its thinned loops; false when they would not cover it.
 bool facesOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops, const Vec3& normal, double area, double slack,
              Faces& faces) {
@@ -262,7 +307,7 @@ Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Prog
   const MeshTopology topology = meshTopology(mesh, progress);
   const Regions regions(mesh, topology, options.tolerance);
   const auto& regionOfFace = regions.ofFace();
-  const auto loops = loopsOf(mesh, regionOfFace, regions.count());
+  const auto loops = loopsOf(mesh, regionOfFace, regions.count(), progress);
   std::vector<double> area(regions.count());
   double largest = 0;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) area[at(regionOfFace[f])] += vectorArea(facePoints(mesh, f)).norm();
@@ -275,20 +320,26 @@ Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Prog
     again = false;
     progress.check();
     const std::vector<bool> stays = chains.simplified();
+    std::vector<Covering> coverings(regions.count());
+    parallelFor(regions.count(), regionsOfPart, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t r = first; r < last; ++r) {
+        if (kept[r]) continue;
+        const auto thinned = thinnedLoops(loops[r], stays);
+        const double slack = 1e-9 * area[r] + 10 * options.tolerance * largest;
+        coverings[r].isWhole = facesOf(mesh, thinned, normalOf(mesh, thinned), area[r], slack, coverings[r].faces);
+      }
+    });
     Mesh result;
     result.points = mesh.points;
     for (std::size_t r = 0; r < regions.count(); ++r) {
       if (kept[r]) continue;
-      const auto thinned = thinnedLoops(loops[r], stays);
-      Faces faces;
-      const double slack = 1e-9 * area[r] + 10 * options.tolerance * largest;
-      if (facesOf(mesh, thinned, normalOf(mesh, thinned), area[r], slack, faces)) {
-        for (const auto& face : faces) result.addFace(face);
-      } else {
-        kept[r] = again = true;
-        for (const auto& loop : loops[r])
-          for (const int v : loop) chains.lock(v);
+      if (coverings[r].isWhole) {
+        for (const auto& face : coverings[r].faces) result.addFace(face);
+        continue;
       }
+      kept[r] = again = true;
+      for (const auto& loop : loops[r])
+        for (const int v : loop) chains.lock(v);
     }
     if (again) continue;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)

@@ -1,6 +1,6 @@
 #include "kernel/arrangement/arranged_sum.h"
 
-#include <map>
+#include <bit>
 #include <memory>
 #include <set>
 #include <span>
@@ -11,6 +11,7 @@
 #include "kernel/arrangement/cells.h"
 #include "kernel/arrangement/meetings.h"
 #include "kernel/arrangement/membership.h"
+#include "kernel/arrangement/number_table.h"
 #include "kernel/arrangement/plane_map.h"
 
 namespace blossom::morphology {
@@ -128,42 +129,64 @@ class Tiling {
   int patches_ = 1;
 };
 
+/// The points of the tiles that count, in the order of first use.
+std::vector<int> pointsOf(const std::vector<Tile>& tiles, const std::vector<bool>& counts, std::size_t points) {
+  std::vector<bool> seen(points, false);
+  std::vector<int> used;
+  for (const Tile& tile : tiles)
+    for (const int corner : tile.corners) {
+      if (!counts[static_cast<std::size_t>(tile.patch)] || seen[static_cast<std::size_t>(corner)]) continue;
+      seen[static_cast<std::size_t>(corner)] = true;
+      used.push_back(corner);
+    }
+  return used;
+}
+
 /// Points as the corners of a mesh: rounded to doubles, those that this makes equal as one.
-class RoundedCorners {
- public:
-  RoundedCorners(Points& points, double step) : points_(points), step_(step), index_(points.size(), -1) {}
+struct RoundedCorners {
+  std::vector<Vec3> corners;
+  std::vector<int> index;  ///< by point
 
-  int of(int point) {
-    int& index = index_[static_cast<std::size_t>(point)];
-    if (index >= 0) return index;
-    const auto place = points_.nearest(point);
-    const auto [it, fresh] = byPlace_.try_emplace(place, static_cast<int>(corners_.size()));
-    if (fresh) corners_.push_back(step_ * Vec3(place[0], place[1], place[2]));
-    return index = it->second;
+  RoundedCorners(const std::vector<int>& used, const Planes& planes, const Points& points, double step,
+                 const Progress& progress)
+      : index(points.size(), -1) {
+    using Place = std::array<double, 3>;
+    std::vector<Place> places(used.size());
+    parallelFor(used.size(), 1024, progress, [&](std::size_t first, std::size_t last) {
+      Points here(planes, &points);
+      for (std::size_t k = first; k < last; ++k) places[k] = here.nearest(used[k]);
+    });
+    NumberTable byPlace;
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      const Place& place = places[k];
+      std::uint64_t hash = 0;
+      for (const double x : place) hash = mixedHash(hash, std::bit_cast<std::uint64_t>(x + 0.0));
+      const int known = byPlace.find(hash, [&](int other) { return places[static_cast<std::size_t>(other)] == place; });
+      int& number = index[static_cast<std::size_t>(used[k])];
+      if (known >= 0) {
+        number = index[static_cast<std::size_t>(used[static_cast<std::size_t>(known)])];
+        continue;
+      }
+      byPlace.add(hash, static_cast<int>(k));
+      number = static_cast<int>(corners.size());
+      corners.push_back(step * Vec3(place[0], place[1], place[2]));
+    }
   }
-  std::vector<Vec3> corners() { return std::move(corners_); }
-
- private:
-  Points& points_;
-  double step_;
-  std::vector<int> index_;
-  std::map<std::array<double, 3>, int> byPlace_;
-  std::vector<Vec3> corners_;
 };
 
 /// Triangles of the tiles whose patches bound the sum, those of the space outside of it when it is `turned`.
-Mesh bounding(const std::vector<Tile>& tiles, const std::vector<bool>& bounds, Points& points, double step, bool turned) {
+Mesh bounding(const std::vector<Tile>& tiles, const std::vector<bool>& bounds, RoundedCorners rounded, bool turned) {
   Mesh mesh;
-  RoundedCorners rounded(points, step);
+  const auto of = [&](int point) { return rounded.index[static_cast<std::size_t>(point)]; };
   for (const Tile& tile : tiles) {
     if (!bounds[static_cast<std::size_t>(tile.patch)]) continue;
     for (std::size_t k = 1; k + 1 < tile.corners.size(); ++k) {
-      std::array<int, 3> corners{rounded.of(tile.corners[0]), rounded.of(tile.corners[k]), rounded.of(tile.corners[k + 1])};
+      std::array<int, 3> corners{of(tile.corners[0]), of(tile.corners[k]), of(tile.corners[k + 1])};
       if (tile.sameWay == turned) std::swap(corners[1], corners[2]);
       if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) mesh.addFace(corners);
     }
   }
-  mesh.points = rounded.corners();
+  mesh.points = std::move(rounded.corners);
   return mesh;
 }
 
@@ -236,7 +259,8 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
   progress.report(0.7, "Finding the outside");
   const SumSpace space{Membership(a.whole, b.whole, insideOut, progress), !insideOut};
   const std::vector<bool> bounds = boundingPatches(tiling.tiles(), tiling.patches(), planes, points, space, progress);
-  made.triangles = bounding(tiling.tiles(), bounds, points, step, insideOut);
+  const std::vector<int> used = pointsOf(tiling.tiles(), bounds, points.size());
+  made.triangles = bounding(tiling.tiles(), bounds, RoundedCorners(used, planes, points, step, progress), insideOut);
   made.cellsMs = watch.lapMs();
   return made;
 }

@@ -1,7 +1,7 @@
 #include "kernel/arrangement/candidates.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -11,23 +11,12 @@ namespace {
 
 Normal3 negated(const Normal3& n) { return {-n[0], -n[1], -n[2]}; }
 
-/// Sums of corners, each made once. Few of all pairs of corners of large shapes make any.
-class Sums {
- public:
-  Sums(const Features& a, const Features& b, Points& points) : a_(a), b_(b), points_(points) {}
+/// A corner of the first shape and one of the second.
+using CornerPair = std::array<int, 2>;
 
-  int at(int cornerOfA, int cornerOfB) {
-    const auto i = static_cast<std::size_t>(cornerOfA), j = static_cast<std::size_t>(cornerOfB);
-    const auto [it, fresh] = made_.try_emplace(i * b_.points.size() + j, 0);
-    if (fresh) it->second = points_.at(a_.points[i] + b_.points[j]);
-    return it->second;
-  }
-
- private:
-  const Features &a_, &b_;
-  Points& points_;
-  std::unordered_map<std::size_t, int> made_;
-};
+Grid3 placeOf(const Features& a, const Features& b, const CornerPair& corners) {
+  return a.points[static_cast<std::size_t>(corners[0])] + b.points[static_cast<std::size_t>(corners[1])];
+}
 
 /// Which of two normals, d x g of their directions and the opposite one, support two edges.
 struct Ways {
@@ -60,95 +49,145 @@ bool supports(const Features::Face& face, const Features::Corner& corner) {
                                          [&](const Grid3& d) { return slope(face.normal, face.about, d) <= 0; });
 }
 
-/// Makes the facets, one after the other: points and planes are shared.
+/// Sums of corners, each made once. Few of all pairs of corners of large shapes make any.
+class Sums {
+ public:
+  Sums(const Features& a, const Features& b, Points& points) : a_(a), b_(b), points_(points) {}
+
+  int at(const CornerPair& corners) {
+    const std::uint64_t hash =
+        mixedHash(mixedHash(0, static_cast<std::uint64_t>(corners[0])), static_cast<std::uint64_t>(corners[1]));
+    const int known = byCorners_.find(hash, [&](int k) { return made_[static_cast<std::size_t>(k)].corners == corners; });
+    if (known >= 0) return made_[static_cast<std::size_t>(known)].point;
+    const int point = points_.at(placeOf(a_, b_, corners));
+    byCorners_.add(hash, static_cast<int>(made_.size()));
+    made_.push_back({corners, point});
+    return point;
+  }
+
+ private:
+  struct Sum {
+    CornerPair corners{};
+    int point = 0;
+  };
+
+  const Features &a_, &b_;
+  Points& points_;
+  std::vector<Sum> made_;
+  NumberTable byCorners_;  ///< of `made_`
+};
+
+/// A facet without numbers of points and a plane, as it is made beside others.
+struct Draft {
+  Family family = Family::EdgeAndEdge;
+  std::array<CornerPair, 4> corners{};
+  std::size_t count = 3;
+  Planes::Directed plane;
+};
+
+/// Drafts of the facets that two features make.
+class Drafting {
+ public:
+  Drafting(const Features& a, const Features& b) : a_(a), b_(b) {}
+
+  void faceAtCorner(int face, int corner, bool faceOfA, std::vector<Draft>& made) const {
+    const Features &flat = faceOfA ? a_ : b_, &sharp = faceOfA ? b_ : a_;
+    const Features::Face& here = flat.faces[static_cast<std::size_t>(face)];
+    if (!supports(here, sharp.corners[static_cast<std::size_t>(corner)])) return;
+    Draft draft;
+    draft.family = faceOfA ? Family::FaceAndCorner : Family::CornerAndFace;
+    for (std::size_t k = 0; k < 3; ++k)
+      draft.corners[k] = faceOfA ? CornerPair{here.corners[k], corner} : CornerPair{corner, here.corners[k]};
+    add(std::move(draft), here.normal, made);
+  }
+
+  void edgeAtEdge(int edgeOfA, int edgeOfB, std::vector<Draft>& made) const {
+    const Features::Edge &e = a_.edges[static_cast<std::size_t>(edgeOfA)], &f = b_.edges[static_cast<std::size_t>(edgeOfB)];
+    const Ways ways = supporting(a_, e, b_, f);
+    if (!ways.along && !ways.against) return;
+    const Normal3 normal = cross(directionOf(a_, e), directionOf(b_, f));
+    if (isZero(normal)) return;
+    if (ways.along) add(parallelogram(e, f, true), normal, made);
+    if (ways.against) add(parallelogram(e, f, false), negated(normal), made);
+  }
+
+ private:
+  static Draft parallelogram(const Features::Edge& e, const Features::Edge& f, bool firstThenSecond) {
+    Draft draft;
+    draft.count = 4;
+    draft.corners = {CornerPair{e.from, f.from}, {e.to, f.from}, {e.to, f.to}, {e.from, f.to}};
+    if (!firstThenSecond) std::swap(draft.corners[1], draft.corners[3]);
+    return draft;
+  }
+  void add(Draft draft, const Normal3& normal, std::vector<Draft>& made) const {
+    draft.plane = Planes::directed(normal, placeOf(a_, b_, draft.corners[0]));
+    made.push_back(std::move(draft));
+  }
+
+  const Features &a_, &b_;
+};
+
+/// Makes facets of drafts, one after the other: points and planes are shared.
 class FacetMaker {
  public:
   FacetMaker(const Features& a, const Features& b, Planes& planes, Points& points)
-      : a_(a), b_(b), planes_(planes), points_(points), sums_(a, b, points) {}
+      : planes_(planes), points_(points), sums_(a, b, points) {}
 
-  /// @pre the corner is supported
-  void faceAtCorner(int face, int corner, bool faceOfA) {
-    const Features::Face& here = (faceOfA ? a_ : b_).faces[static_cast<std::size_t>(face)];
+  void add(const Draft& draft) {
     Facet facet;
-    facet.family = faceOfA ? Family::FaceAndCorner : Family::CornerAndFace;
-    for (std::size_t k = 0; k < 3; ++k)
-      facet.corners[k] = faceOfA ? sums_.at(here.corners[k], corner) : sums_.at(corner, here.corners[k]);
-    add(facet, here.normal);
-  }
-
-  void edgeAtEdge(int edgeOfA, int edgeOfB, Ways ways) {
-    const Features::Edge &e = a_.edges[static_cast<std::size_t>(edgeOfA)], &f = b_.edges[static_cast<std::size_t>(edgeOfB)];
-    const Normal3 normal = cross(directionOf(a_, e), directionOf(b_, f));
-    if (isZero(normal)) return;
-    if (ways.along) add(parallelogram(e, f, true), normal);
-    if (ways.against) add(parallelogram(e, f, false), negated(normal));
-  }
-
-  std::vector<Facet> made() { return std::move(made_); }
-
- private:
-  Facet parallelogram(const Features::Edge& e, const Features::Edge& f, bool firstThenSecond) {
-    Facet facet;
-    facet.count = 4;
-    facet.corners = {sums_.at(e.from, f.from), sums_.at(e.to, f.from), sums_.at(e.to, f.to), sums_.at(e.from, f.to)};
-    if (!firstThenSecond) std::swap(facet.corners[1], facet.corners[3]);
-    return facet;
-  }
-  void add(Facet facet, const Normal3& normal) {
-    const auto [plane, sameWay] = planes_.add(normal, points_.grid(facet.corners[0]));
+    facet.family = draft.family;
+    facet.count = draft.count;
+    for (std::size_t k = 0; k < draft.count; ++k) facet.corners[k] = sums_.at(draft.corners[k]);
+    const auto [plane, sameWay] = planes_.add(draft.plane);
     facet.plane = plane;
     facet.sameWay = sameWay;
     for (std::size_t k = 0; k < facet.count; ++k) points_.note(facet.corners[k], plane);
     made_.push_back(facet);
   }
 
-  const Features &a_, &b_;
+  std::vector<Facet> made() { return std::move(made_); }
+
+ private:
   Planes& planes_;
   Points& points_;
   Sums sums_;
   std::vector<Facet> made_;
 };
 
-/// test(pair) for all pairs, beside each other.
-template <class Answer, class Test>
-std::vector<Answer> tested(const std::vector<FeaturePairs::Pair>& pairs, const Progress& progress, const Test& test) {
-  std::vector<Answer> answers(pairs.size());
-  parallelFor(pairs.size(), 2048, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) answers[k] = test(pairs[k]);
-  });
-  return answers;
+/// Facets of all pairs, drafted beside each other by draft(pair, drafts).
+template <class DraftPair>
+void addFacets(const std::vector<FeaturePairs::Pair>& pairs, FacetMaker& maker, const Progress& progress,
+               const DraftPair& draft) {
+  constexpr std::size_t pairsOfPart = 1024, partsAtATime = 256;
+  for (std::size_t start = 0; start < pairs.size(); start += pairsOfPart * partsAtATime) {
+    const std::size_t left = pairs.size() - start;
+    std::vector<std::vector<Draft>> parts(std::min(partsAtATime, (left + pairsOfPart - 1) / pairsOfPart));
+    parallelFor(parts.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t part = first; part < last; ++part) {
+        const std::size_t from = start + part * pairsOfPart;
+        for (std::size_t k = from; k < std::min(from + pairsOfPart, pairs.size()); ++k) draft(pairs[k], parts[part]);
+      }
+    });
+    for (const std::vector<Draft>& part : parts) {
+      progress.check();
+      for (const Draft& each : part) maker.add(each);
+    }
+  }
 }
 
 }  // namespace
 
 std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs& pairs, Planes& planes,
                               Points& points, const Progress& progress) {
+  const Drafting drafting(a, b);
   FacetMaker maker(a, b, planes, points);
-  const auto supported = [](const Features& flat, int face, const Features& sharp, int corner) -> char {
-    return supports(flat.faces[static_cast<std::size_t>(face)], sharp.corners[static_cast<std::size_t>(corner)]) ? 1 : 0;
-  };
-  const auto onA = tested<char>(pairs.facesAndCorners, progress,
-                                [&](const FeaturePairs::Pair& pair) { return supported(a, pair[0], b, pair[1]); });
-  const auto onB = tested<char>(pairs.cornersAndFaces, progress,
-                                [&](const FeaturePairs::Pair& pair) { return supported(b, pair[1], a, pair[0]); });
-  const auto ways = tested<Ways>(pairs.edges, progress, [&](const FeaturePairs::Pair& pair) {
-    return supporting(a, a.edges[static_cast<std::size_t>(pair[0])], b, b.edges[static_cast<std::size_t>(pair[1])]);
-  });
-  const auto poll = [&](std::size_t k) {
-    if (k % 1024 == 0) progress.check();
-  };
-  for (std::size_t k = 0; k < onA.size(); ++k) {
-    poll(k);
-    if (onA[k]) maker.faceAtCorner(pairs.facesAndCorners[k][0], pairs.facesAndCorners[k][1], true);
-  }
-  for (std::size_t k = 0; k < onB.size(); ++k) {
-    poll(k);
-    if (onB[k]) maker.faceAtCorner(pairs.cornersAndFaces[k][1], pairs.cornersAndFaces[k][0], false);
-  }
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    poll(k);
-    if (ways[k].along || ways[k].against) maker.edgeAtEdge(pairs.edges[k][0], pairs.edges[k][1], ways[k]);
-  }
+  using Pair = FeaturePairs::Pair;
+  addFacets(pairs.facesAndCorners, maker, progress,
+            [&](const Pair& pair, std::vector<Draft>& made) { drafting.faceAtCorner(pair[0], pair[1], true, made); });
+  addFacets(pairs.cornersAndFaces, maker, progress,
+            [&](const Pair& pair, std::vector<Draft>& made) { drafting.faceAtCorner(pair[1], pair[0], false, made); });
+  addFacets(pairs.edges, maker, progress,
+            [&](const Pair& pair, std::vector<Draft>& made) { drafting.edgeAtEdge(pair[0], pair[1], made); });
   return maker.made();
 }
 

@@ -1,6 +1,7 @@
 #include "kernel/arrangement/cells.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -21,7 +22,8 @@ struct AtEdge {
   int patch = 0;
 };
 
-std::vector<AtEdge> tilesAtEdges(const std::vector<Tile>& tiles) {
+/// Those of one edge after each other. @param points how many there are
+std::vector<AtEdge> tilesAtEdges(const std::vector<Tile>& tiles, std::size_t points, const Progress& progress) {
   std::vector<AtEdge> found;
   found.reserve(4 * tiles.size());
   for (const Tile& tile : tiles)
@@ -32,9 +34,19 @@ std::vector<AtEdge> tilesAtEdges(const std::vector<Tile>& tiles) {
       found.push_back(
           {std::min(from, to), std::max(from, to), tile.plane, turned, (turned > 0) == tile.sameWay, tile.patch});
     }
-  std::sort(found.begin(), found.end(),
-            [](const AtEdge& a, const AtEdge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
-  return found;
+  std::vector<std::size_t> starts(points + 1, 0);  // of the edges with each lower point
+  for (const AtEdge& each : found) ++starts[static_cast<std::size_t>(each.low) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<AtEdge> sorted(found.size());
+  std::vector<std::size_t> next = starts;
+  for (const AtEdge& each : found) sorted[next[static_cast<std::size_t>(each.low)]++] = each;
+  parallelFor(points, 1024, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p)
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(starts[p]),
+                sorted.begin() + static_cast<std::ptrdiff_t>(starts[p + 1]),
+                [](const AtEdge& a, const AtEdge& b) { return a.high < b.high; });
+  });
+  return sorted;
 }
 
 /// Puts the tiles around edges in their order.
@@ -172,15 +184,18 @@ class Shells {
   /// The tiles of each class with the lowest measures.
   template <class Measure>
   [[nodiscard]] std::vector<std::vector<std::size_t>> best(std::size_t patches, const Measure& measure) const {
-    std::vector<std::vector<std::pair<double, std::size_t>>> measured(patches);
-    for (std::size_t t = 0; t < tiles_.size(); ++t)
-      measured[classes_.find(static_cast<std::size_t>(tiles_[t].patch))].emplace_back(measure(t), t);
-    std::vector<std::vector<std::size_t>> chosen(patches);
-    for (std::size_t c = 0; c < patches; ++c) {
-      const std::size_t count = std::min(measured[c].size(), mostRays);
-      std::partial_sort(measured[c].begin(), measured[c].begin() + static_cast<std::ptrdiff_t>(count), measured[c].end());
-      for (std::size_t k = 0; k < count; ++k) chosen[c].push_back(measured[c][k].second);
+    using Measured = std::pair<double, std::size_t>;
+    std::vector<std::vector<Measured>> lowest(patches);  // of each class, in order
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+      std::vector<Measured>& here = lowest[classes_.find(static_cast<std::size_t>(tiles_[t].patch))];
+      const Measured made(measure(t), t);
+      if (here.size() == mostRays && !(made < here.back())) continue;
+      if (here.size() == mostRays) here.pop_back();
+      here.insert(std::upper_bound(here.begin(), here.end(), made), made);
     }
+    std::vector<std::vector<std::size_t>> chosen(patches);
+    for (std::size_t c = 0; c < patches; ++c)
+      for (const Measured& each : lowest[c]) chosen[c].push_back(each.second);
     return chosen;
   }
 
@@ -319,7 +334,7 @@ class Shells {
 std::vector<bool> boundingPatches(const std::vector<Tile>& tiles, std::size_t patches, const Planes& planes, Points& points,
                                   const SumSpace& sum, const Progress& progress) {
   UnionFind classes(patches);
-  uniteAroundEdges(tilesAtEdges(tiles), planes, points, classes, progress);
+  uniteAroundEdges(tilesAtEdges(tiles, points.size(), progress), planes, points, classes, progress);
   Shells shells(tiles, planes, points, classes, sum);
   std::vector<bool> outside(patches, false);
   for (bool united = true; united;) {

@@ -102,42 +102,59 @@ class PairOfFacets {
   Points& points_;
 };
 
-using FacetPair = std::pair<std::size_t, std::size_t>;
-
 /// A part of the work that is done beside others, always of the same size: what it finds does not depend on threads.
 struct Part {
   std::unique_ptr<Points> points;
   std::vector<Meeting> found;
 };
-constexpr std::size_t pairsOfPart = 1024;
+constexpr std::size_t facetsOfPart = 32;
 
-Part meetingsOf(std::span<const FacetPair> pairs, const std::vector<Facet>& facets, const Planes& planes,
-                const Points& points, const Progress& progress) {
+/// All facets, to be asked for those that come near one.
+struct NearFacets {
+  std::vector<Box3> boxes;
+  BoxTree<3> tree;
+
+  NearFacets(const std::vector<Facet>& facets, const Points& points, const Progress& progress) : boxes(facets.size()) {
+    parallelFor(facets.size(), 1024, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) boxes[k] = boxOf(facets[k], points);
+    });
+    tree = BoxTree<3>(boxes, 4, progress);
+  }
+};
+
+/// Meetings of some facets with those of a higher number.
+Part meetingsOf(std::span<const std::uint32_t> some, const NearFacets& near, const std::vector<Facet>& facets,
+                const Planes& planes, const Points& points, const Progress& progress) {
   Part part{std::make_unique<Points>(planes, &points), {}};
   PairOfFacets pair(planes, *part.points);
-  std::size_t count = 0;
-  for (const auto& [i, j] : pairs) {
-    if (++count % 128 == 0) progress.check();
+  const auto test = [&](std::size_t i, std::size_t j) {
     const auto common = pair.common(facets[i], facets[j]);
-    if (!common) continue;
+    if (!common) return;
     for (const int end : *common) {
       part.points->note(end, facets[i].plane);
       part.points->note(end, facets[j].plane);
     }
     part.found.push_back({(*common)[0], (*common)[1], static_cast<int>(i), static_cast<int>(j)});
+  };
+  for (const std::uint32_t i : some) {
+    std::size_t count = 0;
+    const auto visit = [&](std::size_t j) {
+      if (++count % 1024 == 0) progress.check();
+      if (near.boxes[i].intersects(near.boxes[j])) test(i, j);
+    };
+    near.tree.meeting(near.boxes[i], visit, i + 1);
   }
   return part;
 }
 
-constexpr std::size_t pairsAtATime = 256 * pairsOfPart;  // there may be many more than meet
-
-void addMeetings(const std::vector<FacetPair>& pairs, const std::vector<Facet>& facets, const Planes& planes, Points& points,
-                 std::vector<Meeting>& found, const Progress& progress) {
-  std::vector<Part> parts((pairs.size() + pairsOfPart - 1) / pairsOfPart);
+/// @param some facets that lie near each other
+void addMeetings(std::span<const std::uint32_t> some, const NearFacets& near, const std::vector<Facet>& facets,
+                 const Planes& planes, Points& points, std::vector<Meeting>& found, const Progress& progress) {
+  std::vector<Part> parts((some.size() + facetsOfPart - 1) / facetsOfPart);
   parallelFor(parts.size(), 1, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
-      const std::size_t from = k * pairsOfPart, count = std::min(pairsOfPart, pairs.size() - from);
-      parts[k] = meetingsOf({pairs.data() + from, count}, facets, planes, points, progress);
+      const std::size_t from = k * facetsOfPart, count = std::min(facetsOfPart, some.size() - from);
+      parts[k] = meetingsOf(some.subspan(from, count), near, facets, planes, points, progress);
     }
   });
   const auto samePlane = [](int plane) { return plane; };
@@ -149,28 +166,23 @@ void addMeetings(const std::vector<FacetPair>& pairs, const std::vector<Facet>& 
       meeting.to = points.take(*part.points, meeting.to, samePlane);
       found.push_back(meeting);
     }
-    part = {};
   }
+  parallelFor(parts.size(), 16, progress, [&](std::size_t first, std::size_t last) {  // freeing takes a while, too
+    for (std::size_t k = first; k < last; ++k) parts[k] = {};
+  });
 }
 
 }  // namespace
 
 std::vector<Meeting> meetings(const std::vector<Facet>& facets, const Planes& planes, Points& points,
                               const Progress& progress) {
-  std::vector<Box3> boxes;
-  boxes.reserve(facets.size());
-  for (const Facet& facet : facets) boxes.push_back(boxOf(facet, points));
+  const NearFacets near(facets, points, progress);
+  const std::span<const std::uint32_t> order = near.tree.order();
   std::vector<Meeting> found;
-  std::vector<FacetPair> pairs;
-  forEachNearPair<3>(boxes, 0.0, progress, [&](std::size_t i, std::size_t j) {
-    pairs.emplace_back(i, j);
-    if (pairs.size() == pairsAtATime) {
-      addMeetings(pairs, facets, planes, points, found, progress);
-      pairs.clear();
-    }
-    return true;
-  });
-  addMeetings(pairs, facets, planes, points, found, progress);
+  constexpr std::size_t atATime = 256 * facetsOfPart;  // what is found of them is kept apart until all are done
+  for (std::size_t first = 0; first < order.size(); first += atATime)
+    addMeetings(order.subspan(first, std::min(atATime, order.size() - first)), near, facets, planes, points, found,
+                progress);
   return found;
 }
 

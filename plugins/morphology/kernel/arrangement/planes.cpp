@@ -59,16 +59,24 @@ std::size_t largest(const Bounded3& n) {
 
 }  // namespace
 
-Planes::Added Planes::add(const Normal3& normal, const Grid3& point) {
+Planes::Directed Planes::directed(const Normal3& normal, const Grid3& point) {
   const auto divisor = static_cast<Int128>(
       greatestDivisor(greatestDivisor(magnitude(normal[0]), magnitude(normal[1])), magnitude(normal[2])));
-  const bool sameWay = normal[0] > 0 || (normal[0] == 0 && (normal[1] > 0 || (normal[1] == 0 && normal[2] > 0)));
-  Plane plane;
-  for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = (sameWay ? normal[k] : -normal[k]) / divisor;
+  Directed made;
+  made.sameWay = normal[0] > 0 || (normal[0] == 0 && (normal[1] > 0 || (normal[1] == 0 && normal[2] > 0)));
+  Plane& plane = made.plane;
+  for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = (made.sameWay ? normal[k] : -normal[k]) / divisor;
   plane.point = point;
   plane.about = aboutNormal(plane.normal);
-  return {insert(plane), sameWay};
+  plane.axis = largest(plane.about);
+  plane.u = (plane.axis + 1) % 3;
+  plane.v = (plane.axis + 2) % 3;
+  if (plane.normal[plane.axis] < 0) std::swap(plane.u, plane.v);
+  made.hash = hashOf(plane);
+  return made;
 }
+
+Planes::Added Planes::add(const Directed& given) { return {insert(given.plane, given.hash), given.sameWay}; }
 
 int Planes::find(std::uint64_t hash, const Plane& plane) const {
   if (base_)
@@ -81,20 +89,17 @@ int Planes::find(std::uint64_t hash, const Plane& plane) const {
   });
 }
 
-int Planes::insert(Plane plane) {
-  const std::uint64_t hash = hashOf(plane);
+int Planes::insert(const Plane& plane, std::uint64_t hash) {
   if (const int known = find(hash, plane); known >= 0) return known;
-  plane.axis = largest(plane.about);
-  plane.u = (plane.axis + 1) % 3;
-  plane.v = (plane.axis + 2) % 3;
-  if (plane.normal[plane.axis] < 0) std::swap(plane.u, plane.v);
   const int made = static_cast<int>(size());
   planes_.push_back(plane);
   index_.add(hash, made);
   return made;
 }
 
-int Planes::take(const Planes& part, int plane) { return plane < part.first_ ? plane : insert(part[plane]); }
+int Planes::take(const Planes& part, int plane) {
+  return plane < part.first_ ? plane : insert(part[plane], hashOf(part[plane]));
+}
 
 int Planes::upright(const Grid3& from, const Grid3& to, std::size_t axis) {
   Grid3 along{};

@@ -31,8 +31,16 @@ class Planes {
     int plane = 0;
     bool sameWay = true;  ///< the normal of the plane has the direction of the one that was given
   };
+  /// A plane to be added; what costs most of that is done, and needs no other planes.
+  struct Directed {
+    Plane plane;
+    std::uint64_t hash = 0;
+    bool sameWay = true;
+  };
   /// @pre normal is not 0
-  Added add(const Normal3& normal, const Grid3& point);
+  static Directed directed(const Normal3& normal, const Grid3& point);
+  Added add(const Directed&);
+  Added add(const Normal3& normal, const Grid3& point) { return add(directed(normal, point)); }
   /// The plane through an edge along an axis. @pre the edge is not parallel to the axis
   int upright(const Grid3& from, const Grid3& to, std::size_t axis);
 
@@ -60,7 +68,7 @@ class Planes {
  private:
   /// The number of the same plane; -1 when there is none.
   [[nodiscard]] int find(std::uint64_t hash, const Plane&) const;
-  int insert(Plane);
+  int insert(const Plane&, std::uint64_t hash);
 
   const Planes* base_ = nullptr;
   int first_ = 0;  ///< number of the first plane that is not of the base

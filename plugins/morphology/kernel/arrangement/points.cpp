@@ -11,9 +11,12 @@ std::uint64_t hashOf(const std::array<T, n>& key) {
   return hash;
 }
 
-/// Larger than the error of a coordinate that is rounded from its exact value. Points are looked up in cells as large as the
-/// blur: equal ones then lie in one of them or in neighbours.
+/// Larger than the error of a coordinate that is rounded from its exact value.
 constexpr double largestError = 0.2 * blur;
+
+/// Points are looked up in cells: equal ones lie in one of them or in neighbours. So large that there are seldom two of
+/// these to be looked at, and seldom other points in one.
+constexpr double cellSize = 32.0 * blur;
 
 /// An exact quotient in doubles.
 Bounded quotient(const Whole& x, const Whole& w) {
@@ -21,7 +24,7 @@ Bounded quotient(const Whole& x, const Whole& w) {
   return {value, 2 * roundOff * std::abs(value)};
 }
 
-std::int64_t cellOf(double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / blur)); }
+std::int64_t cellOf(double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / cellSize)); }
 
 bool isRough(const Bounded3& p) {
   return std::any_of(p.begin(), p.end(), [](const Bounded& x) { return !(x.error < largestError); });

@@ -202,7 +202,9 @@ QString DocumentModel::stateOf(const Feature& feature) const {
   const auto view = session_.view(feature.id);
   if (!view) return session_.evaluating() ? tr("computing…") : tr("not computed");
   if (view->result->error) return qt(view->result->error->message());
-  return stateLine(view->measures);
+  // What follows a drag may have fewer frames than what is made.
+  const bool standIn = session_.coarse() && view->measures.kind == ShapeKind::Sequence;
+  return standIn ? shownShapeKind(view->measures.kind) : stateLine(view->measures);
 }
 
 QString DocumentModel::remedyOf(const Feature& feature) const {

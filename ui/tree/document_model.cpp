@@ -203,7 +203,7 @@ QString DocumentModel::stateOf(const Feature& feature) const {
   if (!view) return session_.evaluating() ? tr("computing…") : tr("not computed");
   if (view->result->error) return qt(view->result->error->message());
   // What follows a drag may have fewer frames than what is made.
-  const bool standIn = session_.coarse() && view->measures.kind == ShapeKind::Sequence;
+  const bool standIn = session_.coarse() && view->result->evaluated.shape.kind() == ShapeKind::Sequence;
   return standIn ? shownShapeKind(view->measures.kind) : stateLine(view->measures);
 }
 

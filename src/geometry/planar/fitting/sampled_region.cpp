@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/spline_samples.h"
@@ -13,10 +14,68 @@
 namespace blossom::planar {
 namespace {
 
+/// Ends of arcs in which a smaller arc touches them from within and goes on beside them: were both cut alike, their first
+/// chords would lie on each other.
+class ArcContacts {
+ public:
+  explicit ArcContacts(const std::vector<Path>& loops) {
+    for (const Path& loop : loops)
+      for (const Segment& segment : loop.segments)
+        if (const auto* arc = std::get_if<Arc2>(&segment)) {
+          ends_.push_back(endOf(*arc, true));
+          ends_.push_back(endOf(*arc, false));
+        }
+    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.at.x() < b.at.x(); });
+  }
+
+  /// Whether the start of an arc is such an end, else its end.
+  [[nodiscard]] bool beside(const Arc2& arc, bool start) const {
+    const End here = endOf(arc, start);
+    const double within = near * (here.at.cwiseAbs().maxCoeff() + arc.radius);
+    const auto first = std::lower_bound(ends_.begin(), ends_.end(), here.at.x() - within,
+                                        [](const End& end, double x) { return end.at.x() < x; });
+    for (auto each = first; each != ends_.end() && each->at.x() <= here.at.x() + within; ++each)
+      if (each->radius < arc.radius && (each->at - here.at).norm() <= within && (each->away - here.away).norm() <= near &&
+          each->turnsLeft == here.turnsLeft)
+        return true;
+    return false;
+  }
+  [[nodiscard]] bool any(const std::vector<Path>& loops) const {
+    const auto touches = [&](const Segment& segment) {
+      const auto* arc = std::get_if<Arc2>(&segment);
+      return arc && (beside(*arc, true) || beside(*arc, false));
+    };
+    return std::any_of(loops.begin(), loops.end(),
+                       [&](const Path& loop) { return std::any_of(loop.segments.begin(), loop.segments.end(), touches); });
+  }
+
+ private:
+  static constexpr double near = 1e-7;
+  struct End {
+    Vec2 at, away;  ///< the direction in which the arc leaves its end
+    double radius = 0;
+    bool turnsLeft = true;  ///< as it leaves its end
+  };
+  static End endOf(const Arc2& arc, bool start) {
+    const Vec2 out = unitAt(start ? arc.start : arc.start + arc.sweep);
+    const bool turnsLeft = (arc.sweep > 0) == start;
+    const Vec2 across(-out.y(), out.x());
+    return {arc.center + arc.radius * out, turnsLeft ? across : Vec2(-across), arc.radius, turnsLeft};
+  }
+
+  std::vector<End> ends_;
+};
+
 /// Cuts arcs at normals and into chords.
 class ArcSampler {
  public:
-  ArcSampler(const std::vector<double>& normals, double tolerance) : normals_(normals), tolerance_(tolerance) {}
+  ArcSampler(std::vector<double> normals, double tolerance, const std::vector<Path>& loops)
+      : normals_(std::move(normals)), tolerance_(tolerance), contacts_(loops) {
+    if (!contacts_.any(loops)) return;
+    // The material lies on opposite sides of arcs that touch from within, and both are cut at the same places.
+    const std::size_t oneWay = normals_.size();
+    for (std::size_t i = 0; i < oneWay; ++i) normals_.push_back(inOneTurn(normals_[i] + std::numbers::pi));
+  }
 
   /// Angles from the start of an arc to its end, both included, and one between: a single chord would not tell a hollow side
   /// from a bulging one, of which sums make other curves.
@@ -28,6 +87,8 @@ class ArcSampler {
       for (int k = 0; k < parts; ++k) angles.push_back(cuts[i] + (cuts[i + 1] - cuts[i]) * k / parts);
     }
     angles.push_back(cuts.back());
+    if (contacts_.beside(arc, true)) angles.insert(angles.begin() + 1, (angles[0] + angles[1]) / 2);
+    if (contacts_.beside(arc, false)) angles.insert(angles.end() - 1, (angles.end()[-1] + angles.end()[-2]) / 2);
     return angles;
   }
 
@@ -40,6 +101,8 @@ class ArcSampler {
       if (along > sameAngle && along < sweep - sameAngle) cuts.push_back(arc.start + sign * along);
     }
     std::sort(cuts.begin(), cuts.end(), [sign](double a, double b) { return sign * a < sign * b; });
+    const auto same = [](double a, double b) { return std::abs(b - a) <= sameAngle; };
+    cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
     cuts.push_back(arc.start + arc.sweep);
     return cuts;
   }
@@ -50,14 +113,16 @@ class ArcSampler {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::abs(sweep) / step - 1e-9)) | 1U));
   }
 
-  const std::vector<double>& normals_;
+  std::vector<double> normals_;
   double tolerance_;
+  ArcContacts contacts_;
 };
 
 class RegionSampler {
  public:
-  RegionSampler(const std::vector<double>& normals, double tolerance, Sampling sampling)
-      : arcs_(normals, tolerance), normals_(normals), tolerance_(tolerance), sampling_(sampling) {}
+  /// @param loops all that arcs can touch in
+  RegionSampler(const std::vector<double>& normals, double tolerance, Sampling sampling, const std::vector<Path>& loops)
+      : arcs_(normals, tolerance, loops), normals_(normals), tolerance_(tolerance), sampling_(sampling) {}
 
   SampledRegion run(const Region& region, const Progress& progress) {
     for (const Path& loop : region.loops) {
@@ -264,12 +329,12 @@ double arcStep(double radius, double tolerance) {
 
 SampledRegion sampled(const SoundSet& set, double share, const std::vector<double>& normals, Sampling sampling,
                       const Progress& progress) {
-  return RegionSampler(normals, share * set.tolerance, sampling).run(set, progress);
+  return RegionSampler(normals, share * set.tolerance, sampling, set.area.region.loops).run(set, progress);
 }
 
 SampledRegion sampled(const SoundRegion& shape, double share, const std::vector<double>& normals, Sampling sampling,
                       const Progress& progress) {
-  return RegionSampler(normals, share * shape.tolerance, sampling).run(shape.region, progress);
+  return RegionSampler(normals, share * shape.tolerance, sampling, shape.region.loops).run(shape.region, progress);
 }
 
 std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t side, const SampledRegion& ofCorner,

@@ -213,7 +213,7 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
 struct CheckedRegion {
   double tolerance;
   Nesting nesting;                     ///< of its loops, flattened
-  std::optional<Region> divided = {};  ///< the same with arcs divided where they touch, if need be
+  std::optional<Region> divided = {};  ///< the same with arcs divided where they touch, if any do
 };
 
 CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
@@ -228,16 +228,11 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   }
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
-  const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
+  std::optional<Region> divided = dividedWhereArcsTouch(region, tolerance, progress);
+  const std::vector<Loop> all = cornersOf(divided ? *divided : region, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);
   if (!nesting.clear())
-    if (const auto crossing = crossingOf(all, progress)) {
-      auto divided = dividedWhereArcsTouch(region, progress);
-      if (!divided) refuseCrossing(name, *crossing);
-      CheckedRegion checked = checkedRegion(*divided, options, name, progress);
-      if (!checked.divided) checked.divided = std::move(divided);
-      return checked;
-    }
+    if (const auto crossing = crossingOf(all, progress)) refuseCrossing(name, *crossing);
   if (!nesting.clear() && options.effort)
     options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
   refuseOverlaps(nesting, confusion, name, progress);
@@ -245,7 +240,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   refuseEmptyLoops(all, confusion, name);
   refuseCollapsed(nesting, all, extent.size(), name);
   refuseStrayHole(nesting, all, name);
-  return {tolerance, std::move(nesting)};
+  return {tolerance, std::move(nesting), std::move(divided)};
 }
 
 /// Without segments that have no length beyond the rounding of their coordinates, and so no direction: files end what they

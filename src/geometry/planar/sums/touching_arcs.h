@@ -6,9 +6,11 @@
 
 namespace blossom::planar {
 
-/// The region with its arcs divided where arcs of two loops touch from within, as a round hole touches a round outline:
-/// there a chord of the larger arc always cuts into the smaller one, unless both are drawn from the place where they touch.
-/// Nothing where none do. O(n^2) for n arcs. @throws Error Cancelled.
-std::optional<Region> dividedWhereArcsTouch(const Region&, const Progress&);
+/// The region with its arcs divided where two of them touch from within, as a round hole touches a round outline: there a
+/// chord of the larger arc cuts into the smaller one, or lies on its chord, unless both are cut alike as seen from the place
+/// where they touch. They are, as far as chords within the tolerance, or a share of it down to 1/64, are wider than the gap
+/// between both arcs. Nothing where none touch. O(n log n + k) for n arcs of which k pairs are near. @throws Error
+/// Cancelled.
+std::optional<Region> dividedWhereArcsTouch(const Region&, double tolerance, const Progress&);
 
 }  // namespace blossom::planar

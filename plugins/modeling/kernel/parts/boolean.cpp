@@ -136,13 +136,20 @@ void refuseNothingLeft(BooleanOperation operation) {
 
 namespace {
 
-/// What is wrong with a result, as far as that is sure. Fewer places than these may be those of a surface that triangles
-/// follow badly.
-std::optional<BooleanDoubt> sureDoubt(const std::vector<TopoDS_Shape>& shapes, BooleanOperation operation,
-                                      const TopoDS_Shape& result, const Progress& progress) {
-  constexpr double sure = 0.005;
-  const auto doubt = booleanDoubt(shapes, operation, result, progress);
-  return doubt && doubt->share > sure ? doubt : std::nullopt;
+void tellUnasked(const std::vector<std::size_t>& unasked, BooleanResult& told) {
+  for (const std::size_t k : unasked)
+    told.warnings.push_back(fmt::format(
+        "Whether shape {} counts as it should could not be checked: it is too small or too thin beside the others.", k + 1));
+}
+
+[[noreturn]] void refuseWrong(const BooleanOptions& options, const Vec3& place) {
+  throw Error(
+      ErrorCode::Degenerate,
+      fmt::format("The {} of these shapes{} comes out wrong near {}.", nameOf(options.operation),
+                  options.fuzzy > 0 ? fmt::format(", with a fuzzy distance of {:g} mm,", options.fuzzy) : std::string(),
+                  placeText(place)),
+      options.fuzzy > 0 ? "Try it without a fuzzy distance, or with a smaller one."
+                        : "Move or turn one shape a little, so that its faces do not lie along an edge of the other.");
 }
 
 /// The result; with faces that nearly touch taken as touching, which is told, where it comes out wrong otherwise.
@@ -151,30 +158,41 @@ TopoDS_Shape checkedResult(const std::vector<TopoDS_Shape>& shapes, const Boolea
   const auto attempt = [&](double fuzzy) {
     BooleanOptions wider = options;
     wider.fuzzy = fuzzy;
-    return combined(Combiner(wider, true), shapes, options.operation, progress);
+    const TopoDS_Shape made = combined(Combiner(wider, true), shapes, options.operation, progress);
+    return std::pair(made, checkBoolean(shapes, options.operation, made, fuzzy, progress));
   };
-  const TopoDS_Shape made = attempt(options.fuzzy);
-  const auto doubt = sureDoubt(shapes, options.operation, made, progress);
-  if (!doubt) return made;
+  const auto [made, check] = attempt(options.fuzzy);
+  if (!check.wrongAt) {
+    tellUnasked(check.unasked, told);
+    return made;
+  }
   double size = 0;
   for (const TopoDS_Shape& shape : shapes) size = std::max(size, diagonalOf(shape));
   for (const double share : {1e-5, 1e-4, 3e-4}) {
     const double fuzzy = share * size;
     if (fuzzy <= options.fuzzy) continue;
     try {
-      const TopoDS_Shape again = attempt(fuzzy);
-      if (sureDoubt(shapes, options.operation, again, progress)) continue;
+      const auto [again, checkAgain] = attempt(fuzzy);
+      if (checkAgain.wrongAt) continue;
       told.warnings.push_back(fmt::format(
           "Faces within {:.2g} mm were taken as touching: the result of the shapes as they are comes out wrong.", fuzzy));
+      tellUnasked(checkAgain.unasked, told);
       return again;
     } catch (const Error& error) {
       if (error.code() != ErrorCode::Degenerate) throw;
     }
   }
-  throw Error(
-      ErrorCode::Degenerate,
-      fmt::format("The {} of these shapes comes out wrong near {}.", nameOf(options.operation), placeText(doubt->place)),
-      "Move or turn one shape a little, so that its faces do not lie along an edge of the other.");
+  refuseWrong(options, *check.wrongAt);
+}
+
+/// The shape with faces of one surface joined; null where that spoils it.
+TopoDS_Shape simplified(const TopoDS_Shape& shape, bool solids) {
+  // Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.
+  TopoDS_Shape simple = withJoinedFaces(BRepBuilderAPI_Copy(shape).Shape(), JoinedEdges::Join);
+  if (simple.IsNull() || !solids) return simple;
+  constexpr double rounding = 1e-5;  // of the volume, as it is integrated
+  const double volume = volumeOf(shape);
+  return isGoodSolid(simple) && std::abs(volumeOf(simple) - volume) <= rounding * std::abs(volume) ? simple : TopoDS_Shape();
 }
 
 }  // namespace
@@ -191,10 +209,9 @@ BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOpti
         if (result.shape.IsNull()) refuseNothingLeft(o.operation);
         if (!o.simplify) return result;
         progress.report(0.9, "Joining faces");
-        // Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.
-        const TopoDS_Shape simple = withJoinedFaces(BRepBuilderAPI_Copy(result.shape).Shape(), JoinedEdges::Join);
+        const TopoDS_Shape simple = simplified(result.shape, solids);
         // Joining is a convenience: where it spoils the shape, the shape stays as it was.
-        if (!simple.IsNull() && (!solids || isGoodSolid(simple)))
+        if (!simple.IsNull())
           result.shape = combiner.finished(simple);
         else
           result.warnings.emplace_back("Faces of one surface could not be joined; the shape has more faces than it needs.");

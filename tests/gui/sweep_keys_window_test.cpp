@@ -29,6 +29,7 @@ class SweepKeysWindowTest : public SweepFixture {
   void keysStayInForceWhenSomethingElseIsSelected();
   void whereThePointIsIsTold();
   void aClickIsForTheView();
+  void alongANormalThatFacesTheViewerThePointKeepsToTheMouse();
   void theHandlesAreSeen();
 
  private:
@@ -220,6 +221,23 @@ void SweepKeysWindowTest::aClickIsForTheView() {
   QCOMPARE(window_->view().selectedParts().size(), std::size_t(1));
   QVERIFY(window_->view().selectedParts().front().feature == sweep_);
   QVERIFY(std::ranges::equal(document().features(), before.features()));
+}
+
+/// Shift drags along the normal. Where that points at the viewer, the way of the mouse up counts, and the point does not run
+/// away.
+void SweepKeysWindowTest::alongANormalThatFacesTheViewerThePointKeepsToTheMouse() {
+  openSample("cylinder.json");
+  window_->view().lookFrom(QStringLiteral("front"), false);
+  const Vec3 near(0, -10, 21);
+  const QPoint from = screenOf(near), to = from - QPoint(0, 60);
+  const double way = (screenOf(near + Vec3(0, 0, 10)) - from).y() / -10.0;  // pixels of a millimetre
+  hover(from);
+  drag(from, to, Qt::ShiftModifier);
+  waitUntilComputed();
+  const Value pull = only("sweep.pull").parameters["pulls"][0];
+  const Vec3 moved = vectorOf(pull["to"]) - near;
+  COMPARE_NEAR(moved.norm(), 60 / way, 0.05 * 60 / way);
+  QVERIFY2(moved.y() < -0.98 * moved.norm(), qPrintable(QString::number(moved.y())));  // towards the viewer
 }
 
 void SweepKeysWindowTest::theHandlesAreSeen() {

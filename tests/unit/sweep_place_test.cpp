@@ -8,7 +8,6 @@
 #include "support/support.h"
 #include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/grid/motion_point.h"
-#include "sweep/manipulators/drag_target.h"
 #include "sweep/manipulators/place_under_mouse.h"
 
 using namespace blossom;
@@ -167,29 +166,6 @@ class SweepPlaceTest : public QObject {
       COMPARE_NEAR(found->distance, 50, 1e-9);
       QVERIFY(std::abs(std::abs(found->normal.dot(out)) - 1) < 1e-9);
     }
-  }
-
-  /// Along the normal as far as the mouse goes, also where it points at the viewer: towards him when the mouse goes up.
-  void alongTheNormalThePointKeepsToTheMouse() {
-    PlaceHit hit;
-    hit.normal = Vec3(0, 0.1, 1).normalized();
-    const auto event = [](const Vec3& eye, const Vec3& towards) {
-      ui::ToolEvent made;
-      made.ray = {eye, towards};
-      made.modifiers = Qt::ShiftModifier;
-      return made;
-    };
-    for (const double side : {1.0, -1.0}) {
-      const Vec3 towards(0, 0, -side);
-      DragTarget target(hit, event({0, 0, 100 * side}, towards));
-      const Vec3 moved = target.follow(event({0, 5 * side, 100 * side}, towards));
-      COMPARE_NEAR(moved.norm(), 5, 1e-9);
-      QVERIFY(moved.dot(towards) < 0);
-      COMPARE_NEAR(moved.cross(hit.normal).norm(), 0, 1e-9);
-    }
-    DragTarget across(hit, event({100, 0, 0}, -Vec3::UnitX()));
-    const Vec3 moved = across.follow(event({100, 0, 7}, -Vec3::UnitX()));
-    COMPARE_NEAR((moved - 7 * hit.normal.z() * hit.normal).norm(), 0, 1e-9);
   }
 
   void aRayPastTheSurfaceFindsNothing() {

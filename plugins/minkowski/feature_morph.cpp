@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "control_shapes.h"
 #include "core/error.h"
 #include "feature/frame_keys.h"
@@ -112,8 +114,18 @@ std::size_t splineShapes(const std::vector<Region>& shapes) {
       std::count_if(shapes.begin(), shapes.end(), [](const Region& r) { return hasSplines(r); }));
 }
 
-void tellUnusedKeys(const MorphParameters& p, Evaluated& out) {
-  if (p.frames > 0 || p.keys.empty()) return;
+void tellUnused(const MorphParameters& p, Evaluated& out) {
+  if (p.frames == 0 && !p.blossom.empty() && p.t != MorphParameters{}.t)
+    out.warnings.push_back("t has no effect beside blossom parameters, which say which shape is made.");
+  if (p.keys.empty()) return;
+  if (p.frames > 0) {
+    const std::vector<FrameKey> keys = frameKeysOf(p.keys);
+    const auto after = std::count_if(keys.begin(), keys.end(), [&](const FrameKey& key) { return key.frame > p.frames; });
+    if (after > 0)
+      out.warnings.push_back(fmt::format("{} key{} after the last frame, {}: what leads there breaks off.", after,
+                                         after == 1 ? " lies" : "s lie", p.frames));
+    return;
+  }
   out.warnings.push_back(p.blossom.empty() ? "The keys have no effect on the one shape at t: give a number of frames."
                                            : "The keys have no effect beside blossom parameters, which give one shape.");
 }
@@ -131,7 +143,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
     Evaluated out = morphedBySpline(
         shapes, knotsFor(shapes.size(), p.degree, p.knots), times, p.frames > 0 ? places : std::vector<double>(),
         {.areaPreserving = p.areaPreserving, .tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
-    tellUnusedKeys(p, out);
+    tellUnused(p, out);
     return out;
   }
   checkPath(p.path, shapes.size());
@@ -156,8 +168,8 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
     out.warnings.push_back(
         "What faces the sector of a free-form shape is made of straight lines, within the tolerance; a smaller one makes "
         "them finer.");
+  tellUnused(p, out);
   if (p.frames == 0) {
-    tellUnusedKeys(p, out);
     out.stats["influences"] = sharesOf(arguments.front());
     out.shape = shapeOfControl(std::move(result.regions.front()));
     return out;
@@ -223,8 +235,9 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .parameter("knots", &P::knots, list(number()),
                  "Knots of the B-spline, as many as shapes and the degree and one more, the first and last as often as the "
                  "degree and once more. None: evenly spaced.")
-      .parameter("sectors", &P::sectors, sectorsSpec(),
-                 "Directions in which each control shape acts, first to last; from equal to to: all around.")
+      .parameter(
+          "sectors", &P::sectors, sectorsSpec(),
+          "Directions in which each control shape acts, first to last; from equal to to, or a whole turn: all around.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")

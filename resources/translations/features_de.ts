@@ -1291,8 +1291,8 @@
         <translation>Richtung; 0,0,0: senkrecht zum Umriss.</translation>
     </message>
     <message>
-        <source>Directions in which each control shape acts, first to last; from equal to to: all around.</source>
-        <translation>Richtungen, in denen jede Kontrollform wirkt, von der ersten zur letzten; „von“ gleich „bis“: rundum.</translation>
+        <source>Directions in which each control shape acts, first to last; from equal to to, or a whole turn: all around.</source>
+        <translation>Richtungen, in denen jede Kontrollform wirkt, von der ersten zur letzten; „von“ gleich „bis“ oder eine volle Drehung: rundum.</translation>
     </message>
     <message>
         <source>Displacement of each control shape from its drawn position, first to last; others stay.</source>

@@ -38,31 +38,35 @@ std::string givenKind(const InputSpec& spec, const Shape& shape) {
               spec.help);
 }
 
-void refuseUnsound(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
+/// "shape", or "shape 2" where there can be several.
+std::string nameOf(const InputSpec& spec, std::size_t place) {
+  return spec.maximum > 1 ? fmt::format("{} {}", spec.name, place + 1) : spec.name;
+}
+
+void refuseUnsound(const FeatureType& type, const std::string& name, const Shape& shape) {
   const std::string flaw = unsoundness(shape);
   if (!flaw.empty())
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("The input \"{}\" of {} cannot be used: {}.", spec.name, type.title, flaw),
+    throw Error(ErrorCode::InvalidInput, fmt::format("The input \"{}\" of {} cannot be used: {}.", name, type.title, flaw),
                 "Mend the file or the feature that it comes from.");
 }
 
-Shape converted(const FeatureType&, const InputSpec&, const Shape&);
+Shape converted(const FeatureType&, const InputSpec&, const std::string& name, const Shape&);
 
 /// The sequence itself where no frame needs it.
-Shape convertedFrames(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
+Shape convertedFrames(const FeatureType& type, const InputSpec& spec, const std::string& name, const Shape& shape) {
   Sequence sequence = *shape.get<Sequence>();
   bool changed = false;
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
     Shape& frame = sequence.frames[k];
     const ShapeKind before = frame.kind();
-    frame = inFrame(sequence, k, [&] { return converted(type, spec, frame); });
+    frame = inFrame(sequence, k, [&] { return converted(type, spec, name, frame); });
     changed = changed || frame.kind() != before;
   }
   return changed ? Shape(std::move(sequence)) : shape;
 }
 
-Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
-  if (takenByFrames(spec, shape)) return convertedFrames(type, spec, shape);
+Shape converted(const FeatureType& type, const InputSpec& spec, const std::string& name, const Shape& shape) {
+  if (takenByFrames(spec, shape)) return convertedFrames(type, spec, name, shape);
   const auto& kinds = spec.kinds;
   if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return shape;
   if (const auto* curves = shape.get<Curves>(); curves && spec.points && singlePoint(curves->paths)) return shape;
@@ -71,7 +75,7 @@ Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& sha
     return toRegion(*shape.get<Curves>());
   } catch (const Error& e) {
     throw Error(e.code(),
-                fmt::format("The input \"{}\" of {} takes a region, and these {} make none: {}", spec.name, type.title,
+                fmt::format("The input \"{}\" of {} takes a region, and these {} make none: {}", name, type.title,
                             shape.kind() == ShapeKind::Brep ? "faces" : "curves", e.message()),
                 e.hint());
   }
@@ -112,8 +116,9 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
     const InputSpec& spec = type.inputs[k];
     for (std::size_t i = 0; i < std::min(counts[k], spec.maximum); ++i, ++next) {
       if (!accepts(spec, given[next])) throwNotAccepted(type, spec, given[next]);
-      refuseUnsound(type, spec, given[next]);
-      bySpec[k].push_back(converted(type, spec, given[next]));
+      const std::string name = nameOf(spec, i);
+      refuseUnsound(type, name, given[next]);
+      bySpec[k].push_back(converted(type, spec, name, given[next]));
     }
   }
   if (next < given.size()) throwWrongNumber(type, given.size());

@@ -84,6 +84,21 @@ class MinkowskiMorphCliTest : public QObject {
                std::string("Give a wider sector."));
     const Answer all = blossom({"morph", "circle:2", "circle:4", "--t", "0.5", "--sectors", R"([{"from": 90, "to": 450}])"});
     COMPARE_NEAR(all.result("area"), 9 * pi, 1e-9);
+    const double dented = blossom({"morph", "star:5:20:8", "circle:10", "--t", "0.5"}).result("area");
+    for (const char* turn : {R"([{"from": 0, "to": 360}])", R"([{"from": 0, "to": 7200}])"})
+      COMPARE_NEAR(blossom({"morph", "star:5:20:8", "circle:10", "--t", "0.5", "--sectors", turn}).result("area"), dented,
+                   1e-9);
+  }
+
+  void whatHasNoEffectIsTold() {
+    const auto warnings = [&](const QStringList& more) {
+      return blossom(QStringList{"morph", "circle:2", "circle:4"} + more).json.value("warnings", Value::array()).dump();
+    };
+    const std::string late = warnings({"--frames", "5", "--keys", R"([{"frame": 1, "t": 0}, {"frame": 9, "t": 1}])"});
+    QVERIFY2(late.find("1 key lies after the last frame, 5") != std::string::npos, late.c_str());
+    const std::string fixed = warnings({"--blossom", "0.5", "--t", "0.9"});
+    QVERIFY2(fixed.find("t has no effect") != std::string::npos, fixed.c_str());
+    QCOMPARE(warnings({"--t", "0.9"}), std::string("[]"));
   }
 
   /// A bar with a bulge and one with a dent, both less than the tolerance: the bulge goes on at both ends of the dent.

@@ -119,7 +119,9 @@ void faceSectors(std::vector<Region>& shapes, std::span<const Sector> sectors, c
                 fmt::format("{} sectors are given for {} control shapes.", sectors.size(), shapes.size()),
                 "Leave out those too many.");
   for (std::size_t i = 0; i < sectors.size(); ++i) {
-    if (sectors[i].from == sectors[i].to || pointIn(shapes[i])) continue;
+    const bool allAround =
+        sectors[i].from == sectors[i].to || std::abs(sectors[i].to - sectors[i].from) > fullTurn - sameAngle;
+    if (allAround || pointIn(shapes[i])) continue;
     const std::string name = fmt::format("control shape {}", i + 1);
     shapes[i] = facing(soundRegion(shapes[i], {.tolerance = tolerance}, name, progress), sectors[i], name, progress).region;
   }

@@ -11,7 +11,7 @@ namespace blossom::minkowski {
 
 using namespace planar;
 
-/// A range of directions, counter-clockwise, radians. Equal ends: all directions.
+/// A range of directions, counter-clockwise, radians. Equal ends, or a whole turn between them: all directions.
 struct Sector {
   double from = 0, to = 0;
   friend bool operator==(const Sector&, const Sector&) = default;
@@ -24,7 +24,8 @@ struct Sector {
 /// @throws Error InvalidParameter when a corner or a straight side is all that faces the sector.
 SoundRegion facing(const SoundRegion&, const Sector&, const std::string& name, const Progress& = Progress::none());
 
-/// Puts in place of the first shapes of a morph what of them faces their sectors; points stay.
+/// Puts in place of the first shapes of a morph what of them faces their sectors; points stay, and shapes that act in all
+/// directions, with their dents.
 /// @throws Error InvalidParameter also when there are more sectors than shapes; as soundRegion of flattening.h
 void faceSectors(std::vector<Region>& shapes, std::span<const Sector>, const std::optional<double>& tolerance,
                  const Progress& = Progress::none());

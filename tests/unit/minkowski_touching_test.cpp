@@ -95,7 +95,10 @@ class MinkowskiTouchingTest : public QObject {
 
   /// Two half circles that end in a cusp: its tip is part of the region.
   void theTipOfAHornIsKept() {
-    const Region horn{{Path{{Arc2{{0, 0}, 10, 0, pi}, Line2{{-10, 0}, {-8, 0}}, Arc2{{1, 0}, 9, pi, -pi}}, true}}};
+    Path outline;
+    outline.segments = {Arc2{{0, 0}, 10, 0, pi}, Line2{{-10, 0}, {-8, 0}}, Arc2{{1, 0}, 9, pi, -pi}};
+    outline.closed = true;
+    const Region horn{{outline}};
     for (const double disc : {0.01, 0.05, 0.5}) {
       const BoundaryTree around(minkowskiSum(std::vector{horn, circleRegion(disc)}).region);
       for (int k = -8; k <= 8; ++k) {

@@ -58,7 +58,7 @@ class Body {
  private:
   void addTriangles(const TopoDS_Shape& solid, const Fineness& fineness, const Progress& progress) {
     // Of a body that is large beside another one, chords as fine as that asks for would be too many.
-    constexpr double finestShare = 5e-5, flatShare = 1e-6;
+    constexpr double finestShare = 2e-4, flatShare = 1e-6;
     const double size = diagonalOf(solid), chord = std::max(fineness.chord, finestShare * size);
     const double moved = std::max(BRep_Tool::MaxTolerance(solid, TopAbs_VERTEX), fineness.fuzzy);
     reach_ = 2 * (chord + moved);

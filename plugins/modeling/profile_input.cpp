@@ -24,7 +24,7 @@ namespace blossom::modeling {
 namespace {
 
 std::string place(const Vec2& p) {
-  const auto rounded = [](double v) { return formatNumber(std::round(v * 1000) / 1000); };
+  const auto rounded = [](double v) { return formatNumber(std::round(v * 1000) / 1000 + 0.0); };
   return fmt::format("({}, {})", rounded(p.x()), rounded(p.y()));
 }
 
@@ -41,7 +41,7 @@ void checkCrossings(const Region& region, const gp_Trsf& drawing) {
                   "Redraw it there, or trim what crosses.");
     for (std::size_t k = 0; k < i; ++k)
       if (const auto at = crossing(region.loops[i], region.loops[k]))
-        throw Error(ErrorCode::InvalidInput, fmt::format("Two outlines cross near {}.", place(*at, drawing)),
+        throw Error(ErrorCode::InvalidInput, fmt::format("Two outlines cross or touch near {}.", place(*at, drawing)),
                     "Move them apart, or unite them first.");
   }
 }

@@ -82,7 +82,8 @@ class MinkowskiTouchingTest : public QObject {
     QFETCH(double, start);
     QFETCH(double, disc);
     QFETCH(double, tolerance);
-    const Region region{{circleInArcs(outer, 2, Vec2::Zero(), start), reversed(circleInArcs(hole, 2, {outer - hole, 0}, -start))}};
+    const Region region{
+        {circleInArcs(outer, 2, Vec2::Zero(), start), reversed(circleInArcs(hole, 2, {outer - hole, 0}, -start))}};
     const std::optional<double> within = tolerance > 0 ? std::optional(tolerance) : std::nullopt;
     const Region sum = minkowskiSum(std::vector{region, circleRegion(disc)}, {.tolerance = within}).region;
     const double left = hole > disc ? hole - disc : 0, grown = outer + disc;

@@ -98,6 +98,12 @@ class SvgTest : public QObject {
     comparePoints(middle(onlyPathOf("<path fill='none' d='M0 0A.1 .1 0 0 1 2 0'/>").segments[0]), {1, 1});
     comparePoints(middle(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 1e-320, 0, false, true).at(0)), {1, -1}, 1e-9);
     QVERIFY(std::holds_alternative<Line2>(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 5, 0, false, true).at(0)));
+    // The ends of a half circle, in doubles, lie where they lie; its centre does not move by the root of their rounding.
+    for (int k = 0; k < 200; ++k) {
+      const Vec2 end = 1000 * Vec2(std::cos(0.1 * k), std::sin(0.1 * k)), middle(500, 3);
+      const auto half = std::get<Arc2>(svg::arcSegment(middle + end, middle - end, 1000, 1000, 0, false, true).at(0));
+      QVERIFY2((half.center - middle).norm() < 1e-9, qPrintable(QString::number((half.center - middle).norm())));
+    }
     QVERIFY(std::holds_alternative<Line2>(onlyPathOf("<path fill='none' d='M0 0A0 5 0 0 1 2 0'/>").segments[0]));
     COMPARE_NEAR(length(onlyPathOf("<path fill='none' d='M1 0A1 1 0 1 1 0 -1'/>").segments[0]), 1.5 * pi, 1e-12);
     COMPARE_NEAR(length(onlyPathOf("<path fill='none' d='M1 0A1 1 0 0 0 0 -1'/>").segments[0]), 0.5 * pi, 1e-12);

@@ -132,7 +132,10 @@ std::vector<Segment> arcSegment(const Vec2& from, const Vec2& to, double rx, dou
     ry *= size;
     p /= size;
   }
-  const double offset = std::sqrt(std::max(0.0, 1 / p.squaredNorm() - 1)) * (large == sweep ? -1 : 1);
+  // Ends of a half circle are rounded to the digits of a file; the root of what is missing is a millionth of the radius.
+  constexpr double rounding = 1e-12;
+  const double missing = 1 / p.squaredNorm() - 1;
+  const double offset = missing < rounding ? 0 : std::sqrt(missing) * (large == sweep ? -1 : 1);
   const Vec2 c = offset * Vec2(p.y(), -p.x());
   const Vec2 center = 0.5 * (from + to) + c.x() * rx * along + c.y() * ry * across;
   const double start = std::atan2(p.y() - c.y(), p.x() - c.x()), end = std::atan2(-p.y() - c.y(), -p.x() - c.x());

@@ -123,14 +123,18 @@ class Attempts {
 
   [[nodiscard]] std::optional<Mesh> asIs(const Mesh& mesh) {
     crossing_.reset();
-    if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
+    if (mesh.faceCount() == 0) return std::nullopt;
     Mesh there = movedFrom(mesh, centre_);
     if (!everyEdgeHasLength(there)) return std::nullopt;
-    std::optional<TwistedEdge> twisted;
+    bool isClosed = false, isTwisted = false;
     sideBySide(
         progress_, [&] { crossing_ = firstCrossing(there, progress_); },
-        [&] { twisted = firstTwistedEdge(there, progress_); });
-    if (crossing_ || twisted) return std::nullopt;
+        [&] {
+          isClosed = meshTopology(mesh).closed();
+          isTwisted = isClosed && firstTwistedEdge(there, progress_);
+        });
+    if (!isClosed) crossing_.reset();
+    if (!isClosed || crossing_ || isTwisted) return std::nullopt;
     return there;
   }
 
@@ -216,10 +220,13 @@ std::string movedBySentence(double step) {
 Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress) {
   progress.report(0, "Joining faces");
   const Mesh triangles = inOrder(manifoldOf(soup, progress));
-  if (!meshTopology(triangles).closed())
-    throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
   const double size = bounds(triangles).diagonal();
-  Mesh joined = joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress);
+  bool isClosed = false;
+  Mesh joined;
+  sideBySide(
+      progress, [&] { isClosed = meshTopology(triangles).closed(); },
+      [&] { joined = joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress); });
+  if (!isClosed) throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
   joined = joined.faceCount() == triangles.faceCount() ? triangles : manifoldOf(joined, progress);
   Attempts attempts(centre, progress);
   if (auto made = attempts.withFewerPolygons(joined)) return {inOrder(*made), {}};

@@ -13,6 +13,7 @@
 #include "kernel/arrangement/membership.h"
 #include "kernel/arrangement/number_table.h"
 #include "kernel/arrangement/plane_map.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
 
@@ -209,6 +210,20 @@ std::optional<Summand> shapeOf(const Term& term, double step, bool insideOut = f
   return shape;
 }
 
+struct Summands {
+  Summand first, second;
+};
+
+/// Both beside each other.
+std::optional<Summands> shapesOf(const Term& a, const Term& b, double step, const Progress& progress,
+                                 bool insideOut = false) {
+  std::optional<Summand> first, second;
+  sideBySide(
+      progress, [&] { first = shapeOf(a, step, insideOut); }, [&] { second = shapeOf(b, step); });
+  if (!first || !second) return std::nullopt;
+  return Summands{*std::move(first), *std::move(second)};
+}
+
 /// Whether the sum of two thin pieces has volume: three of their edges point in independent directions.
 bool haveVolume(const Features& a, const Features& b) {
   std::vector<Grid3> along;
@@ -269,27 +284,27 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
 
 std::shared_ptr<const FeaturePairs> keptPairs(const Term& a, const Term& b, double step, double leastFactor,
                                               const Progress& progress) {
-  const auto first = shapeOf(a, step), second = shapeOf(b, step);
-  if (!first || !second) return nullptr;
+  const auto both = shapesOf(a, b, step, progress);
+  if (!both) return nullptr;
   // A corner of a scaled shape moves by half a usual step along each axis, an edge by twice that.
   const double rounding = 2 * static_cast<double>(usualSteps) / leastFactor;
-  return std::make_shared<const FeaturePairs>(nearPairs(first->whole, second->whole, rounding, progress));
+  return std::make_shared<const FeaturePairs>(nearPairs(both->first.whole, both->second.whole, rounding, progress));
 }
 
 std::optional<ArrangedSum> arrangedSum(const Term& a, const Term& b, double step, const Progress& progress,
                                        const FeaturePairs* kept) {
-  const auto first = shapeOf(a, step), second = shapeOf(b, step);
-  if (!first || !second) return std::nullopt;
-  return arranged(*first, *second, step, false, kept, progress);
+  const auto both = shapesOf(a, b, step, progress);
+  if (!both) return std::nullopt;
+  return arranged(both->first, both->second, step, false, kept, progress);
 }
 
 std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, double step, const Progress& progress) {
-  const auto first = shapeOf(a, step), second = shapeOf(b, step);
-  if (!first || !second) return std::nullopt;
+  const auto both = shapesOf(a, b, step, progress);
+  if (!both) return std::nullopt;
   Planes planes;
   Points points(planes);
   std::vector<SumFacet> made;
-  for (const Facet& facet : facetsOf(*first, *second, planes, points, nullptr, progress)) {
+  for (const Facet& facet : facetsOf(both->first, both->second, planes, points, nullptr, progress)) {
     SumFacet& placed = made.emplace_back(SumFacet{static_cast<std::size_t>(facet.family), {}});
     for (std::size_t k = 0; k < facet.count; ++k)
       placed.corners.emplace_back(step * inDoubles(points.grid(facet.corners[k])));
@@ -309,9 +324,9 @@ std::vector<Vec3> reflexCorners(const Term& term, double step) {
 }
 
 std::optional<ArrangedSum> arrangedDifference(const Term& a, const Term& b, double step, const Progress& progress) {
-  const auto first = shapeOf(a, step, true), second = shapeOf({b.triangles, b.pieces, -b.factor}, step);
-  if (!first || !second) return std::nullopt;
-  return arranged(*first, *second, step, true, nullptr, progress);
+  const auto both = shapesOf(a, {b.triangles, b.pieces, -b.factor}, step, progress, true);
+  if (!both) return std::nullopt;
+  return arranged(both->first, both->second, step, true, nullptr, progress);
 }
 
 }  // namespace blossom::morphology

@@ -133,8 +133,9 @@ struct Height {
 /// Looks along rays parallel to an axis for what lies before a patch.
 class Shells {
  public:
-  Shells(const std::vector<Tile>& tiles, const Planes& planes, Points& points, UnionFind& classes, const SumSpace& sum)
-      : tiles_(tiles), planes_(planes), points_(points), classes_(classes), sum_(sum) {
+  Shells(const std::vector<Tile>& tiles, const Planes& planes, Points& points, UnionFind& classes, const SumSpace& sum,
+         const Progress& progress)
+      : tiles_(tiles), planes_(planes), points_(points), classes_(classes), sum_(sum), boxes_(tiles.size()) {
     const auto cornersOf = [&](const Tile& tile) {
       Box3 box;
       for (const int c : tile.corners) {
@@ -143,7 +144,9 @@ class Shells {
       }
       return box;
     };
-    for (const Tile& tile : tiles) boxes_.push_back(cornersOf(tile));
+    parallelFor(tiles.size(), 1024, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) boxes_[t] = cornersOf(tiles[t]);
+    });
   }
 
   /// Whether the space before the patches of a class is outside, by rays from some of its tiles; nothing when the class was
@@ -335,7 +338,7 @@ std::vector<bool> boundingPatches(const std::vector<Tile>& tiles, std::size_t pa
                                   const SumSpace& sum, const Progress& progress) {
   UnionFind classes(patches);
   uniteAroundEdges(tilesAtEdges(tiles, points.size(), progress), planes, points, classes, progress);
-  Shells shells(tiles, planes, points, classes, sum);
+  Shells shells(tiles, planes, points, classes, sum, progress);
   std::vector<bool> outside(patches, false);
   for (bool united = true; united;) {
     united = false;

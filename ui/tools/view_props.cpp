@@ -54,8 +54,9 @@ QImage drawnLabel(const QString& text, const LabelLook& look) {
   QFont font = QApplication::font();
   font.setPixelSize(12);
   font.setWeight(QFont::DemiBold);
-  const QFontMetricsF metrics(font);
-  const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + 14, std::ceil(metrics.height()) + 6);
+  constexpr double widest = 420;  // logical pixels; longer texts have several lines
+  const QRectF room = QFontMetricsF(font).boundingRect(QRectF(0, 0, widest, 0), Qt::AlignCenter | Qt::TextWordWrap, text);
+  const QSizeF size(std::ceil(room.width()) + 14, std::ceil(room.height()) + 6);
   QImage image((size * look.pixelRatio).toSize(), QImage::Format_RGBA8888);
   image.setDevicePixelRatio(look.pixelRatio);
   image.fill(Qt::transparent);
@@ -67,7 +68,7 @@ QImage drawnLabel(const QString& text, const LabelLook& look) {
   painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
   painter.setFont(font);
   painter.setPen(look.text);
-  painter.drawText(card, Qt::AlignCenter, text);
+  painter.drawText(card, Qt::AlignCenter | Qt::TextWordWrap, text);
   return image;
 }
 

@@ -83,10 +83,14 @@ CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec
   if (alongV < same && way < little * reach)
     return {fmt::format("the section at v = {:.3g} crosses itself.", between(first.y(), second.y(), motion.domainV())),
             "Even out its scaling and rotation along u."};
-  const bool bends = alongU < same && (bendsTightly(motion, first.y()) || bendsTightly(motion, second.y()));
-  if (way < around * reach || bends)
+  const bool isNear = way < around * reach;
+  const bool bends = (isNear || alongU < same) && (bendsTightly(motion, first.y()) || bendsTightly(motion, second.y()));
+  if (bends)
     return {"the motion bends or turns more tightly than its sections are wide.",
             "Make the sections smaller there, or the bend of the trajectory wider."};
+  if (isNear)
+    return {"sections that follow each other turn or widen so fast that they pass through each other.",
+            "Turn, scale or pull less there, or over a wider part, at a coarser level."};
   return {"two parts of the motion pass through each other.",
           "Move the trajectory apart there, or make the sections smaller."};
 }

@@ -245,8 +245,9 @@ void SurfacePullTool::markEdit(PullMarks& marks) const {
                entry_ ? QString() : QStringLiteral("%1°").arg(edit_->angle(mode_), 0, 'f', 1));
   } else {
     if (!edit_->changesFollowed()) marks.ring(end, mode_);
-    if (!entry_) marks.tell(end, wayText(), true);
+    if (!entry_ && edit_->possible()) marks.tell(end, wayText(), true);
   }
+  if (!entry_ && !edit_->possible()) marks.problem(end, edit_->live().reason(), false);
   marks.way(edit_->from(), end);
   marks.isoCurves(now, moved, towards_);
   std::vector<Vec3> copies;

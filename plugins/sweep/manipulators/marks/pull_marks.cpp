@@ -123,15 +123,17 @@ void PullMarks::tell(const Vec3& at, const QString& text, bool aboveRing) {
   props_.push_back(ui::labelProp(text, at, look));
 }
 
-void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit, const QString& problem) {
+void PullMarks::problem(const Vec3& at, const QString& text, bool aboveCard) {
+  ui::LabelLook look = ui::labelLook(host_.look(), host_.look().fault, host_.pixelRatio());
+  look.card = ui::qtColor(host_.look().backgroundBottom);
+  look.shift = {0, aboveCard ? ringReach + cardHeight : ringReach};
+  look.follow = true;
+  props_.push_back(ui::labelProp(text, at, look));
+}
+
+void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit, const QString& wrong) {
   const Color &made = host_.look().made, &ground = host_.look().backgroundBottom;
-  if (!problem.isEmpty()) {
-    ui::LabelLook wrong = ui::labelLook(host_.look(), host_.look().fault, host_.pixelRatio());
-    wrong.card = ui::qtColor(ground);
-    wrong.shift = {0, ringReach + cardHeight};
-    wrong.follow = true;
-    props_.push_back(ui::labelProp(problem, at, wrong));
-  }
+  if (!wrong.isEmpty()) problem(at, wrong, true);
   ui::LabelLook look = ui::labelLook(host_.look(), text.selected() ? ground : made, host_.pixelRatio());
   look.card = ui::qtColor(text.selected() ? made : ground);
   look.border = ui::qtColor(made);

@@ -36,7 +36,9 @@ class PullMarks {
   /// Numbers about a point, on a card above its ring, or where there is none right above it.
   void tell(const Vec3& at, const QString& text, bool aboveRing);
   /// What is typed about a point, and above it what is wrong with that, if anything.
-  void entry(const Vec3& at, const ui::TypedText&, const QString& unit, const QString& problem);
+  void entry(const Vec3& at, const ui::TypedText&, const QString& unit, const QString& wrong);
+  /// Why a drag changes nothing, or what is wrong with what is typed, on a card above the ring or above the card there.
+  void problem(const Vec3& at, const QString& text, bool aboveCard);
 
  private:
   void lines(const std::vector<std::vector<Vec3>>&, const Color&, double width);

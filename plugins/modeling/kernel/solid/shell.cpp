@@ -11,11 +11,13 @@
 #include <TopoDS_Solid.hxx>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/units.h"
 #include "geometry/occt/sub_shape.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/largest_size.h"
 #include "kernel/parts/shape_parts.h"
+#include "kernel/solid/wall_check.h"
 
 namespace blossom::modeling {
 
@@ -80,6 +82,13 @@ TopTools_ListOfShape facesToOpen(const TopoDS_Shape& shape, const std::vector<in
   return open;
 }
 
+[[noreturn]] void refuseThin(double thickness, const ThinWall& thin) {
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("Walls of {} mm do not fit this shape: near {} they would pass through each other.",
+                          formatNumber(thickness), placeText(thin.place)),
+              "Use a smaller thickness, or make the shape thicker there.");
+}
+
 }  // namespace
 
 ShellResult shell(const TopoDS_Shape& shape, const ShellOptions& o, const Progress& progress) {
@@ -98,7 +107,11 @@ ShellResult shell(const TopoDS_Shape& shape, const ShellOptions& o, const Progre
   };
   progress.report(0.1, "Hollowing");
   const TopoDS_Shape made = walls(o.thickness);
-  if (!made.IsNull()) return {finishedSolid(made, {"The solid cannot be hollowed.", ""})};
+  if (!made.IsNull()) {
+    progress.report(0.4, "Measuring walls");
+    if (const auto thin = thinWall(solids.front(), o.openFaces, made, o.thickness, progress)) refuseThin(o.thickness, *thin);
+    return {finishedSolid(made, {"The solid cannot be hollowed.", ""})};
+  }
   progress.report(0.5, "Looking for the thickest wall");
   const auto largest = largestSize(
       o.thickness, [&](double size) { return !walls(size).IsNull(); }, progress);

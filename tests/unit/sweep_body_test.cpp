@@ -186,6 +186,16 @@ class SweepBodyTest : public QObject {
     COMPARE_NEAR(volume(both) + volume(common), sum, 2 * allowed * sum);
   }
 
+  /// OpenCASCADE offsets blades that are thinner than two walls through each other, and calls the result valid.
+  void wallsThatPassThroughEachOtherAreRefused() {
+    const Motion motion = hub();
+    const MotionPlace at{0.125, 0.5};
+    const Vec3 centre = blossom::point(motion.trajectory, at.v);
+    const Vec3 to = centre + 3.5 * (evaluate(motion, at.u, at.v).point - centre);
+    const Shape propeller = swept(pull(motion, {{at}, {to}, {0, 0, 1}, Vec3::Zero(), {}, {4, false}}).motion);
+    VERIFY_REFUSED(refusal("shell", {{"thickness", 3}}, {propeller}), ErrorCode::InvalidInput, "pass through each other");
+  }
+
   void shellsHaveTheirWalls() {
     const Shape post = swept(hub());
     const Evaluated hollow = made("shell", {{"thickness", 1}}, {post});

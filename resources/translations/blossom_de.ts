@@ -2179,6 +2179,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Braucht: %1.</translation>
     </message>
     <message>
+        <source>%1 takes %2 of the %3 selected shapes.</source>
+        <translation>%1 nimmt %2 der %3 ausgewählten Formen.</translation>
+    </message>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Weggelassen: %1.</translation>
+    </message>
+    <message>
         <source>There is nothing here yet for %1: it takes %2.</source>
         <translation>Hier ist noch nichts für %1; gebraucht wird: %2.</translation>
     </message>

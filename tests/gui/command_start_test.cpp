@@ -225,6 +225,9 @@ void CommandStartTest::whereNothingFitsItIsSaid() {
   QCOMPARE(features(), std::size_t{0});
   QCOMPARE(window_->page().errors().message(),
            QStringLiteral("There is nothing here yet for Fillet: it takes a solid to round."));
+  run("feature.minkowski.morph-solid");
+  QCOMPARE(window_->page().errors().message(),
+           QStringLiteral("There is too little here for Morph as solid, which takes 2 of these: an outline of the solid."));
 }
 
 /// What makes the missing shape is at hand, that of the same plugin first.

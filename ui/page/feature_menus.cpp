@@ -187,7 +187,7 @@ void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& mis
                          missing.minimum == 1 ? tr("There is nothing here yet for %1: it takes %2.")
                                                     .arg(registryText(type.title), wantedShape(missing))
                                                     .toStdString()
-                                              : tr("There is too little here for %1: it takes %2, %3 times.")
+                                              : tr("There is too little here for %1, which takes %3 of these: %2.")
                                                     .arg(registryText(type.title), wantedShape(missing))
                                                     .arg(missing.minimum)
                                                     .toStdString(),

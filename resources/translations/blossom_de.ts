@@ -2179,12 +2179,20 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Braucht: %1.</translation>
     </message>
     <message>
+        <source>%1 takes %2 of the %3 selected shapes.</source>
+        <translation>%1 nimmt %2 der %3 ausgewählten Formen.</translation>
+    </message>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Weggelassen: %1.</translation>
+    </message>
+    <message>
         <source>There is nothing here yet for %1: it takes %2.</source>
         <translation>Hier ist noch nichts für %1; gebraucht wird: %2.</translation>
     </message>
     <message>
-        <source>There is too little here for %1: it takes %2, %3 times.</source>
-        <translation>Hier ist zu wenig für %1; gebraucht wird %3-mal: %2.</translation>
+        <source>There is too little here for %1, which takes %3 of these: %2.</source>
+        <translation>Hier ist zu wenig für %1; gebraucht werden %3 hiervon: %2.</translation>
     </message>
     <message>
         <source>Draw or make one, or import a file.</source>

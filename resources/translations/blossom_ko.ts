@@ -2179,11 +2179,19 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>필요한 것: %1.</translation>
     </message>
     <message>
+        <source>%1 takes %2 of the %3 selected shapes.</source>
+        <translation>선택한 형상 %3개 중 %2개를 %1에 씁니다.</translation>
+    </message>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>빠진 것: %1.</translation>
+    </message>
+    <message>
         <source>There is nothing here yet for %1: it takes %2.</source>
         <translation>%1에 쓸 것이 아직 없습니다. 필요한 것: %2.</translation>
     </message>
     <message>
-        <source>There is too little here for %1: it takes %2, %3 times.</source>
+        <source>There is too little here for %1, which takes %3 of these: %2.</source>
         <translation>%1에 쓸 것이 모자랍니다. 필요한 것: %2 %3개.</translation>
     </message>
     <message>

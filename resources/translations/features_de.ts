@@ -272,12 +272,24 @@
         <translation>Kurven</translation>
     </message>
     <message>
+        <source>face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
         <source>faces</source>
         <translation>Flächen</translation>
     </message>
     <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <source>frames</source>
         <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>loops</source>
@@ -310,6 +322,10 @@
     <message>
         <source>solids</source>
         <translation>Körper</translation>
+    </message>
+    <message>
+        <source>span</source>
+        <translation>Abschnitt</translation>
     </message>
     <message>
         <source>spans</source>

@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "geometry/occt/merged_shape.h"
 
 namespace blossom {
 namespace {
@@ -46,6 +47,7 @@ class ConvertCommand {
     const FeatureId id = addInput(invocation_, source.document, text, warnings);
     if (!isDocument(file) && !file.empty()) giveOptions(source.document, id, file);
     source.made = evaluateFor(invocation_.app, source.document, id, progress)->evaluated;
+    if (isDocument(file)) source.made.shape = mergedShape({{source.document.at(id).name, source.made.shape}});
     source.made.warnings.insert(source.made.warnings.begin(), warnings.begin(), warnings.end());
     source.readMs = watch.elapsedMs();
     return source;

@@ -13,6 +13,7 @@
 #include "document/file_access.h"
 #include "document/file_values.h"
 #include "document/named_numbers.h"
+#include "geometry/occt/merged_shape.h"
 #include "parameter/written.h"
 
 namespace blossom {
@@ -255,7 +256,8 @@ class RunCommand {
     if (found->second->error)
       throw Error(found->second->error->code(), fmt::format("{} was not written, because \"{}\" failed.", wanted.path, id),
                   found->second->error->message());
-    return writeOutputs(invocation_.app, {output}, found->second->evaluated.shape, document, progress);
+    const Shape shape = mergedShape({{document.at(id).name, found->second->evaluated.shape}});
+    return writeOutputs(invocation_.app, {output}, shape, document, progress);
   }
 
   void report(const Value& features, const std::vector<std::string>& warnings, const std::vector<Output>& written,

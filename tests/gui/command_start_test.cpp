@@ -26,6 +26,7 @@ class CommandStartTest : public WindowFixture {
   void whereNothingFitsItIsSaid();
   void whatMakesTheMissingShapeIsOffered();
   void inputsAreInTheOrderOfTheSelection();
+  void whatThereIsNoRoomForIsTold();
 
  private:
   void selectNothing() { window_->tree().select({}); }
@@ -195,12 +196,38 @@ void CommandStartTest::inputsAreInTheOrderOfTheSelection() {
   COMPARE_NEAR(measureOf(last(), "area"), 50 * 30, 1e-6);
 }
 
+void CommandStartTest::whatThereIsNoRoomForIsTold() {
+  std::vector<FeatureId> circles;
+  for (const double radius : {5.0, 10.0, 15.0}) circles.push_back(add("modeling.circle", {{"radius", radius}}));
+  window_->tree().select(circles[0]);
+  for (const FeatureId& id : {circles[1], circles[2]}) window_->tree().select(id, true);
+  run("feature.minkowski.morph-solid");
+  QCOMPARE(window_->page().document().at(last()).inputs, (std::vector<FeatureId>{circles[0], circles[1]}));
+  const ErrorBar& told = window_->page().errors();
+  QVERIFY(!told.isHidden());
+  QCOMPARE(told.message(), QStringLiteral("Morph as solid takes 2 of the 3 selected shapes."));
+  QCOMPARE(told.hint(), QStringLiteral("Left out: %1.").arg(QString::fromStdString(circles[2])));
+  waitUntilComputed();
+  window_->session().undo();
+  QVERIFY(told.isHidden());
+  // A shape that no input takes is no news.
+  const FeatureId solid = add("modeling.box");
+  window_->tree().select(circles[0]);
+  for (const FeatureId& id : {circles[1], solid}) window_->tree().select(id, true);
+  run("feature.minkowski.morph-solid");
+  QVERIFY(told.isHidden());
+  waitUntilComputed();
+}
+
 void CommandStartTest::whereNothingFitsItIsSaid() {
   run("feature.modeling.fillet");
   QVERIFY(!window_->page().toolStarted());
   QCOMPARE(features(), std::size_t{0});
   QCOMPARE(window_->page().errors().message(),
            QStringLiteral("There is nothing here yet for Fillet: it takes a solid to round."));
+  run("feature.minkowski.morph-solid");
+  QCOMPARE(window_->page().errors().message(),
+           QStringLiteral("There is too little here for Morph as solid, which takes 2 of these: an outline of the solid."));
 }
 
 /// What makes the missing shape is at hand, that of the same plugin first.

@@ -28,6 +28,7 @@ class JobsAndLogTest : public TreeFixture {
   void theLogTellsWhatHappened();
   void theLogFollowsTheNewest();
   void theCrossStaysInPlace();
+  void whatIsDoneIsReadInFull();
   void aLongHintEndsInDots();
   void aLongHintIsShownPartByPart();
   void everythingIsComputedAnew();
@@ -150,6 +151,31 @@ void JobsAndLogTest::theCrossStaysInPlace() {
   line.setWork(QStringLiteral("a"), QStringLiteral("A feature with a long name: Joining faces"), 0.99);
   QCoreApplication::processEvents();
   QCOMPARE(cross->geometry(), before);
+}
+
+/// Also in the moment in which it changes, before the layout has its turn.
+void JobsAndLogTest::whatIsDoneIsReadInFull() {
+  StatusLine line;
+  line.resize(620, 24);
+  line.show();
+  line.setHint(QStringLiteral("Drag to pull this point · ").repeated(20));
+  line.setWork(QStringLiteral("a"), QStringLiteral("Computing"), 0);
+  auto* const work = line.findChild<QToolButton*>(QStringLiteral("work"));
+  QVERIFY(work);
+  QTRY_VERIFY(work->isVisible());
+  const QString where = QStringLiteral("x 1234.567   y -987.65   z 12345.6");
+  line.setWhereabouts(where);
+  line.setWork(QStringLiteral("a"), QStringLiteral("Finding the boundary"), 0.3);
+  QVERIFY2(work->width() >= work->sizeHint().width(), qPrintable(QString::number(work->width())));
+  const auto labels = line.findChildren<QLabel*>();
+  const auto place = std::find_if(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text() == where; });
+  QVERIFY(place != labels.end());
+  QVERIFY((*place)->width() >= (*place)->sizeHint().width());
+  line.resize(360, 24);  // then the place ends in dots
+  QVERIFY((*place)->text().endsWith(QChar(0x2026)));
+  QVERIFY(work->width() >= work->sizeHint().width());
+  line.resize(900, 24);
+  QCOMPARE((*place)->text(), where);
 }
 
 void JobsAndLogTest::aLongHintEndsInDots() {

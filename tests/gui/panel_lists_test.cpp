@@ -21,27 +21,30 @@ class PanelListsTest : public PanelFixture {
   void init() { openPanel(); }
   void cleanup() { closePanel(); }
   void listsAreEdited();
+  void aNewItemTakesWhatIsTyped();
   void listsOfRecords();
   void recordsAreToldInShort();
   void recordsAreGroups();
   void longListsAreShownBitByBit();
   void aListFillsItselfWithOneForEachShape();
   void itemsOfAListFillThemselves();
+
+ private:
+  static QToolButton* addButtonOf(const ParameterField* list) {
+    for (auto* button : list->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add")) return button;
+    return nullptr;
+  }
 };
 
 void PanelListsTest::listsAreEdited() {
   auto* lengths = static_cast<ListField*>(field("lengths"));
-  const auto add = [](const ListField* list) {
-    for (auto* button : list->findChildren<QToolButton*>())
-      if (button->property("role") == QStringLiteral("add")) return button;
-    return static_cast<QToolButton*>(nullptr);
-  };
   QCOMPARE(lengths->rows().size(), std::size_t(3));
   oneStep("lengths", Value::array({1.0, 20.0, 3.0}),
           [&] { type(lengths->rows()[1]->findChild<QLineEdit*>(), QStringLiteral("2 cm")); });
-  oneStep("lengths", Value::array({1.0, 20.0, 3.0, 0.0}), [&] { add(lengths)->click(); });
-  oneStep("lengths", Value::array({20.0, 1.0, 3.0, 0.0}), [&] { emit lengths->rows()[1]->moveWanted(-1); });
-  oneStep("lengths", Value::array({20.0, 3.0, 0.0, 1.0}), [&] {
+  oneStep("lengths", Value::array({1.0, 20.0, 3.0, 3.0}), [&] { addButtonOf(lengths)->click(); });  // as the last
+  oneStep("lengths", Value::array({20.0, 1.0, 3.0, 3.0}), [&] { emit lengths->rows()[1]->moveWanted(-1); });
+  oneStep("lengths", Value::array({20.0, 3.0, 3.0, 1.0}), [&] {
     // The number in front is dragged below the last row.
     auto* number = lengths->rows()[1]->findChild<QLabel*>(QStringLiteral("rowNumber"));
     QTest::mousePress(number, Qt::LeftButton, {}, middle(number));
@@ -50,8 +53,8 @@ void PanelListsTest::listsAreEdited() {
     test::moveMouse(number, below);
     QTest::mouseRelease(number, Qt::LeftButton, {}, below);
   });
-  oneStep("lengths", Value::array({20.0, 0.0, 1.0}), [&] { emit lengths->rows()[1]->removeWanted(); });
-  oneStep("lengths", Value::array({20.0, 20.0, 0.0, 1.0}), [&] { emit lengths->rows()[0]->copyWanted(); });
+  oneStep("lengths", Value::array({20.0, 3.0, 1.0}), [&] { emit lengths->rows()[1]->removeWanted(); });
+  oneStep("lengths", Value::array({20.0, 20.0, 3.0, 1.0}), [&] { emit lengths->rows()[0]->copyWanted(); });
   type(lengths->rows()[0]->findChild<QLineEdit*>(), QStringLiteral("3 deg"));
   QVERIFY(!lengths->rows()[0]->field()->problem().isEmpty());
   QCOMPARE(now("lengths").at(0), Value(20.0));
@@ -61,7 +64,7 @@ void PanelListsTest::listsAreEdited() {
   QVERIFY(lengths->problem().contains(QStringLiteral("at least 1 item")));
 
   auto* points = static_cast<ListField*>(field("points"));
-  oneStep("points", Value::parse("[[0.0,0.0,0.0]]"), [&] { add(points)->click(); });
+  oneStep("points", Value::parse("[[0.0,0.0,0.0]]"), [&] { addButtonOf(points)->click(); });
   oneStep("points", Value::parse("[[1.0,2.5,-3.0]]"), [&] {
     points->rows()[0]->field()->findChild<QToolButton*>(QStringLiteral("fieldButton"))->click();
     QCOMPARE(panel_->wanted()->parameter, QStringLiteral("points/0"));
@@ -69,15 +72,42 @@ void PanelListsTest::listsAreEdited() {
   });
 }
 
+/// Digits that follow the click are not for the shortcuts of the view.
+void PanelListsTest::aNewItemTakesWhatIsTyped() {
+  const auto typed = [](const char* digits) {
+    auto* const line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    QVERIFY(line);
+    QCOMPARE(line->selectedText(), line->text());
+    QTest::keyClicks(line, QLatin1String(digits));
+    QTest::keyClick(line, Qt::Key_Return);
+  };
+  const auto addTo = [this](const char* name) {
+    auto* const list = static_cast<ListField*>(field(name));
+    addButtonOf(list)->click();
+    QTRY_VERIFY(list->rows().back()->isAncestorOf(QApplication::focusWidget()));
+  };
+  addTo("lengths");
+  typed("7");
+  QCOMPARE(now("lengths"), Value::array({1.0, 2.0, 3.0, 7.0}));
+  addTo("points");
+  typed("5");
+  QCOMPARE(now("points"), Value::parse("[[5.0,0.0,0.0]]"));
+  addTo("points");  // from where the last is
+  typed("6");
+  QCOMPARE(now("points"), Value::parse("[[5.0,0.0,0.0],[6.0,0.0,0.0]]"));
+  addTo("tools");  // begins as declared
+  typed("8");
+  addTo("tools");
+  QCOMPARE(now("tools").at(0).at("diameter"), Value(8.0));
+  QCOMPARE(now("tools").at(1).at("diameter"), Value(6.0));
+}
+
 void PanelListsTest::listsOfRecords() {
   auto* tools = static_cast<ListField*>(field("tools"));
   const Value fresh{{"diameter", 6.0}, {"shape", "flat"}, {"at", Value::array({0.0, 0.0, 0.0})}};
   Value ball = fresh;
   ball["shape"] = "ball";
-  oneStep("tools", Value::array({fresh}), [&] {
-    for (auto* button : tools->findChildren<QToolButton*>())
-      if (button->property("role") == QStringLiteral("add")) button->click();
-  });
+  oneStep("tools", Value::array({fresh}), [&] { addButtonOf(tools)->click(); });
   ListRow* row = tools->rows()[0];
   row->open(true);
   QTRY_VERIFY(row->field() && row->field()->isVisible());

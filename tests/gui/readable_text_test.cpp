@@ -10,6 +10,7 @@ class ReadableTextTest : public QObject {
   void figuresReadWell();
   void longNumbersAreShownWithTheDigitsThatFit();
   void theStateOfAToolpathIsItsLength();
+  void oneFrameIsNoFrames();
 };
 
 void ReadableTextTest::figuresReadWell() {
@@ -52,6 +53,17 @@ void ReadableTextTest::theStateOfAToolpathIsItsLength() {
   Toolpath path;
   path.moves = {{MoveKind::Rapid, {3, 4, 0}}};
   QCOMPARE(stateLine(measure(path)), QStringLiteral("toolpath, 5 mm"));
+}
+
+void ReadableTextTest::oneFrameIsNoFrames() {
+  const auto stateOf = [](std::int64_t frames) {
+    Measures measures;
+    measures.kind = "sequence";
+    measures.values = {{"frames", frames}};
+    return stateLine(measures);
+  };
+  QCOMPARE(stateOf(1), QStringLiteral("sequence, 1 frame"));
+  QCOMPARE(stateOf(11), QStringLiteral("sequence, 11 frames"));
 }
 
 BLOSSOM_TEST(ReadableTextTest)

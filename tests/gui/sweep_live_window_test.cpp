@@ -30,6 +30,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void faultsOfTheResultAreNotShownInADrag();
   void aPressWhileThatIsComputedIsADrag();
   void thePlaceIsShownWhereTheMouseLetGo();
+  void aWindowThatIsToCloseTakesTheDragBack();
   void framesAreMeasured();
   void aLargeMotionIsDraggedLive();
 
@@ -222,6 +223,29 @@ void SweepLiveWindowTest::thePlaceIsShownWhereTheMouseLetGo() {
   QTRY_VERIFY2_WITH_TIMEOUT(hint().startsWith(QStringLiteral("Drag to pull further")), qPrintable(hint()), 60000);
   window_->page().tool()->documentChanged();  // as for anything else that changes: the place is still the same
   QVERIFY2(hint().startsWith(QStringLiteral("Drag to pull further")), qPrintable(hint()));
+}
+
+/// The button is let go over the question, unseen.
+void SweepLiveWindowTest::aWindowThatIsToCloseTakesTheDragBack() {
+  openSample("cylinder.json");
+  Feature renamed = document().at(sweep_);
+  renamed.name = "Tube";
+  window_->session().commit(document().with(renamed), QStringLiteral("Rename"));
+  waitUntilComputed();
+  const QPoint from = onTheSide();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (const int x : {20, 60}) mouse(QEvent::MouseMove, from + QPoint(x, -x / 3));
+  QVERIFY(standIn());
+  bool asked = false;
+  answer(QMessageBox::Cancel, asked);
+  QVERIFY(!window_->close());
+  QVERIFY(asked);
+  QVERIFY(!standIn());
+  held_ = false;
+  mouse(QEvent::MouseMove, from + QPoint(30, -10));
+  QVERIFY(!standIn());
+  QVERIFY(all("sweep.pull").empty());
 }
 
 /// What is told is measured here and judged by tests/acceptance: frames on the screen while the mouse moves, and how long

@@ -42,6 +42,7 @@ class TogetherTest : public QObject {
   Q_OBJECT
  private slots:
   void aSingleShapeStaysWhatItIs();
+  void aSingleSolidWithoutANameIsGivenOne();
   void meshesAreMeasuredAsTheirSum();
   void solidsBecomeAnAssemblyWithNames();
   void drawingsKeepEveryPath();
@@ -53,6 +54,15 @@ void TogetherTest::aSingleShapeStaysWhatItIs() {
   const Shape region = squareRegion(0, 2);
   QCOMPARE(mergedShape({{"a", region}}).kind(), ShapeKind::Region);
   QCOMPARE(mergedKind({ShapeKind::Motion}), ShapeKind::Motion);
+}
+
+void TogetherTest::aSingleSolidWithoutANameIsGivenOne() {
+  const auto nameOf = [](const Shape& shape) { return shape.get<Brep>()->roots().front().name; };
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  const Shape computed = mergedShape({{"Tube", Brep(box)}});
+  QCOMPARE(nameOf(computed), std::string("Tube"));
+  QVERIFY(computed.get<Brep>()->shape().IsSame(box));
+  QCOMPARE(nameOf(mergedShape({{"Import", Brep(box, "Box")}})), std::string("Box"));
 }
 
 void TogetherTest::meshesAreMeasuredAsTheirSum() {

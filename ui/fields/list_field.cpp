@@ -34,6 +34,14 @@ std::optional<std::size_t> placeInList(const Value& list, const Value& item, std
   return found == list.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - list.begin()));
 }
 
+/// An item that is not declared to begin with anything begins as the one before it; those that belong to shapes do not.
+bool goesOn(const ParameterSpec& list) {
+  const ParameterSpec& item = list.fields.at(0);
+  const auto given = [](const ParameterSpec& field) { return field.fallback.is_null() && !field.mayBeAbsent; };
+  return list.filling.input.empty() && std::all_of(item.fields.begin(), item.fields.end(), given) &&
+         !startValue(item).is_null();
+}
+
 constexpr std::size_t rowsAtOnce = 20;  // so that a list of thousands does not hold up the window
 
 }  // namespace
@@ -157,7 +165,7 @@ Value ListField::newItemOf(const ParameterSpec& list) const {
 Value ListField::newItem() const {
   const ParameterSpec& item = spec().fields.at(0);
   const auto count = item.kind == ParameterKind::List ? wantedCount(item) : std::nullopt;
-  if (!count) return newItemOf(spec());
+  if (!count) return goesOn(spec()) && !draft_.empty() ? draft_.back() : newItemOf(spec());
   Value filled = Value::array();
   while (filled.size() < *count) filled.push_back(newItemOf(item));
   return filled;
@@ -174,7 +182,7 @@ void ListField::add() {
   ListRow* row = rows_.back();
   row->open(true);
   if (!start.is_null()) offer(draft_);
-  if (row->field()) row->field()->setFocus();
+  row->startTyping();
 }
 
 void ListField::replace(std::size_t index, const Value& item, bool preview) {

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <cstdlib>
@@ -101,6 +102,15 @@ void ListRow::open(bool on) {
   if (field_) field_->setVisible(on);
   title_->setIcon(icon(on ? QStringLiteral("chevron-down") : QStringLiteral("chevron-right")));
   if (title_->isChecked() != on) title_->setChecked(on);
+}
+
+// A field as a whole answers no keys: they would go to the shortcuts of the view.
+void ListRow::startTyping() {
+  if (!field_) return;
+  auto* const line = field_->findChild<QLineEdit*>();
+  if (!line) return field_->setFocus();
+  line->setFocus();
+  line->selectAll();
 }
 
 void ListRow::setWritten(const Value& given) {

@@ -19,6 +19,8 @@ class ListRow final : public QWidget {
   [[nodiscard]] bool editing() const { return field_ && field_->editing(); }
   [[nodiscard]] ParameterField* field() const { return field_; }
   void open(bool);
+  /// Gives the keyboard to the first line of an open row, whose text is written over by what is typed.
+  void startTyping();
   void setEnds(bool first, bool last);
 
  signals:

@@ -226,7 +226,9 @@ QString stateLine(const Measures& measures) {
   if (parts.size() == 1)
     for (const char* name : {"faces", "curves", "frames", "loops", "spans"})
       if (const Measure* measure = find(measures, name)) {
-        parts << QStringLiteral("%1 %2").arg(readable(*measure), QCoreApplication::translate("Figures", name));
+        const QString count = readable(*measure);
+        const QByteArray noun = QByteArray(name).chopped(count == QLatin1String("1") ? 1 : 0);
+        parts << QStringLiteral("%1 %2").arg(count, QCoreApplication::translate("Figures", noun.constData()));
         break;
       }
   return parts.join(QStringLiteral(", "));

@@ -123,7 +123,9 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
       Value parameters = preset;
       parameters.update(start.parameters);
       takeShownFrame(page, type, start.inputs, parameters);
-      return page.session().addFeature(type, start.inputs, parameters, start.users);
+      const std::vector<FeatureId> left = leftOut(page.session(), type, start, chosen);
+      page.session().addFeature(type, start.inputs, parameters, start.users);
+      return tellLeftOut(type, start.inputs.size(), left);
     }
     const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);
     const std::size_t wanted = start.missing->minimum - start.has;
@@ -142,6 +144,16 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
       begin(type, std::move(more), preset);
     });
   }
+}
+
+void FeatureMenus::tellLeftOut(const FeatureType& type, std::size_t taken, const std::vector<FeatureId>& left) {
+  if (left.empty()) return;
+  QStringList names;
+  for (const FeatureId& id : left) names << qt(shownName(page_->document().at(id)));
+  page_->errors().showNote(
+      tr("%1 takes %2 of the %3 selected shapes.").arg(registryText(type.title)).arg(taken).arg(taken + left.size()),
+      tr("Left out: %1.").arg(names.join(QStringLiteral(", "))));
+  page_->errors().untilChange();
 }
 
 namespace {
@@ -175,7 +187,7 @@ void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& mis
                          missing.minimum == 1 ? tr("There is nothing here yet for %1: it takes %2.")
                                                     .arg(registryText(type.title), wantedShape(missing))
                                                     .toStdString()
-                                              : tr("There is too little here for %1: it takes %2, %3 times.")
+                                              : tr("There is too little here for %1, which takes %3 of these: %2.")
                                                     .arg(registryText(type.title), wantedShape(missing))
                                                     .arg(missing.minimum)
                                                     .toStdString(),

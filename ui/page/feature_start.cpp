@@ -173,6 +173,18 @@ FeatureStart featureStart(const Session& session, const FeatureType& type, const
   return start;
 }
 
+std::vector<FeatureId> leftOut(const Session& session, const FeatureType& type, const FeatureStart& start,
+                               const std::vector<FeatureId>& selected) {
+  std::vector<FeatureId> left;
+  if (std::any_of(type.inputs.begin(), type.inputs.end(), [](const auto& spec) { return spec.use == InputUse::Edited; }))
+    return left;
+  for (const FeatureId& id : selected) {
+    const auto takes = [&](const InputSpec& spec) { return acceptsResult(session, spec, id); };
+    if (!contains(start.inputs, id) && std::any_of(type.inputs.begin(), type.inputs.end(), takes)) left.push_back(id);
+  }
+  return left;
+}
+
 std::vector<FeatureId> fittingFeatures(const Session& session, const InputSpec& spec, const std::vector<FeatureId>& taken) {
   const Document& document = session.document();
   const auto shapeOf = [&](const FeatureId& id) { return session.shape(id); };

@@ -25,6 +25,11 @@ struct FeatureStart {
 FeatureStart featureStart(const Session&, const FeatureType&, const std::vector<FeatureId>& selected,
                           const std::vector<Pick>& parts);
 
+/// Those selected for which the inputs, which would accept them, have no room; of an edit, which takes one shape as a matter
+/// of course, none.
+std::vector<FeatureId> leftOut(const Session&, const FeatureType&, const FeatureStart&,
+                               const std::vector<FeatureId>& selected);
+
 /// Features that an input accepts beside those taken: the shown ones, or when none of them fits, those that have gone into
 /// the results of others.
 std::vector<FeatureId> fittingFeatures(const Session&, const InputSpec&, const std::vector<FeatureId>& taken);

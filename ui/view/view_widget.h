@@ -45,6 +45,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   /// itself: what they leave alone lights up and is selected as if they were not there.
   void setTool(Tool* tool, bool handles = false);
   [[nodiscard]] Tool* tool() const { return tool_; }
+  /// What the tool drags goes back, as by Esc: the mouse button may be let go where the view does not hear of it.
+  void takeDragBack();
   /// Gives the tool a key that the widget with the focus did not want. Whether it took it.
   bool takeKeyFromElsewhere(const QKeyEvent&);
   void setLook(const Look&);

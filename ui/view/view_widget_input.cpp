@@ -65,6 +65,11 @@ void ViewWidget::leaveDrag() {
   if (tool_ && handles_) tool_->key(escape);
 }
 
+void ViewWidget::takeDragBack() {
+  const QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+  if (std::exchange(toolHasMouse_, false) && tool_) tool_->key(escape);
+}
+
 // What is dragged stays with the button that took it: neither menus nor the camera come between.
 bool ViewWidget::secondButton(const QMouseEvent* event) const {
   return toolHasMouse_ && (event->buttons() & ~Qt::MouseButtons(event->button())) != Qt::NoButton;

@@ -222,7 +222,11 @@ void MainWindow::openFiles(const QStringList& files) { files_->open(files); }
 
 void MainWindow::closePage(std::size_t index) { closing_->close(index); }
 
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(closing_->mayCloseAll()); }
+// Whatever is asked, the button that drags is let go over the question.
+void MainWindow::closeEvent(QCloseEvent* event) {
+  view().takeDragBack();
+  event->setAccepted(closing_->mayCloseAll());
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (!DocumentFiles::filesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();

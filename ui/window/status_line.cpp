@@ -7,11 +7,18 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/look/icons.h"
 
 namespace blossom::ui {
+
+namespace {
+
+constexpr int barWidth = 120, narrowBarWidth = 24;
+
+}  // namespace
 
 StatusLine::StatusLine(QWidget* parent)
     : QFrame(parent),
@@ -25,7 +32,7 @@ StatusLine::StatusLine(QWidget* parent)
   setFixedHeight(24);
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
-  bar_->setFixedWidth(120);
+  bar_->setFixedWidth(barWidth);
   cancel_->setObjectName(QStringLiteral("cancelWork"));
   cancel_->setIcon(icon(QStringLiteral("close")));
   cancel_->setIconSize({12, 12});
@@ -124,6 +131,28 @@ bool StatusLine::eventFilter(QObject* object, QEvent* event) {
   return QFrame::eventFilter(object, event);
 }
 
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  shareRoom();
+}
+
+// The hint gives way first, then the bar, then the end of the place; what is being done is read in full. At once, for a text
+// that is painted in the room of the one before it is cut.
+void StatusLine::shareRoom() {
+  const QMargins margins = layout()->contentsMargins();
+  const int gap = layout()->spacing();
+  int room = width() - margins.left() - margins.right() - gap;
+  for (const QToolButton* each : {pickMode_, workText_, cancel_})
+    if (!each->isHidden()) room -= each->sizeHint().width() + gap;
+  const QFontMetrics font = whereabouts_->fontMetrics();
+  if (!bar_->isHidden()) {
+    bar_->setFixedWidth(std::clamp(room - gap - font.horizontalAdvance(where_), narrowBarWidth, barWidth));
+    room -= bar_->minimumWidth() + gap;
+  }
+  whereabouts_->setText(font.elidedText(where_, Qt::ElideRight, std::max(0, room)));
+  layout()->activate();
+}
+
 void StatusLine::setJobs(int running) {
   jobs_ = running;
   if (!patience_.isActive()) refresh();
@@ -137,9 +166,13 @@ void StatusLine::setPickModes(QMenu* modes) {
 void StatusLine::showPickMode(const QAction& chosen) {
   pickMode_->setText(tr("Select: %1").arg(chosen.iconText()));
   pickMode_->setIcon(chosen.icon());
+  shareRoom();
 }
 
-void StatusLine::setWhereabouts(const QString& text) { whereabouts_->setText(text); }
+void StatusLine::setWhereabouts(const QString& text) {
+  where_ = text;
+  shareRoom();
+}
 
 void StatusLine::announce(const QString& text) {
   say(text);
@@ -166,7 +199,7 @@ void StatusLine::refresh() {
   workText_->setVisible(busy);
   bar_->setVisible(busy);
   cancel_->setVisible(busy);
-  if (!busy) return;
+  if (!busy) return shareRoom();
   const Work& shown = work_.last();
   const QString percent = shown.fraction > 0 ? tr(" %1 %").arg(std::lround(shown.fraction * 100)) : QString();
   workText_->setText((jobs_ > 1 ? tr("%1 jobs: ").arg(jobs_) : QString()) + shown.what + percent);
@@ -174,6 +207,7 @@ void StatusLine::refresh() {
   bar_->setUpdatesEnabled(false);
   bar_->setValue(static_cast<int>(std::lround(shown.fraction * 1000)));
   bar_->setUpdatesEnabled(true);
+  shareRoom();
 }
 
 }  // namespace blossom::ui

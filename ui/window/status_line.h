@@ -39,9 +39,11 @@ class StatusLine : public QFrame {
 
  protected:
   bool eventFilter(QObject*, QEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
 
  private:
   void refresh();
+  void shareRoom();
   void say(const QString&);
   void fitHint();
   [[nodiscard]] QStringList pages() const;  ///< the hint in parts that there is room for
@@ -58,6 +60,7 @@ class StatusLine : public QFrame {
   QToolButton* cancel_;
   QString said_;  ///< in full; shown as far as there is room
   QString idle_, standing_;
+  QString where_;  ///< likewise in full
   int jobs_ = 0;
   int page_ = 0;  ///< of the hint
   QTimer announcing_, patience_, turning_;

@@ -56,6 +56,16 @@ Brep assembled(const std::vector<NamedShape>& shapes) {
   return Brep(std::move(roots));
 }
 
+/// What was imported has names of its own, what was computed has not.
+Shape named(const NamedShape& single) {
+  const auto* brep = single.shape.get<Brep>();
+  if (!brep) return single.shape;
+  std::vector<BrepInstance> roots = brep->roots();
+  for (BrepInstance& root : roots)
+    if (root.name.empty() && root.part && root.part->name.empty()) root.name = single.name;
+  return Brep(std::move(roots));
+}
+
 }  // namespace
 
 ShapeKind mergedKind(const std::vector<ShapeKind>& kinds) {
@@ -70,7 +80,7 @@ Shape mergedShape(const std::vector<NamedShape>& shapes) {
   std::vector<ShapeKind> kinds;
   kinds.reserve(shapes.size());
   for (const NamedShape& each : shapes) kinds.push_back(each.shape.kind());
-  if (shapes.size() == 1) return shapes.front().shape;
+  if (shapes.size() == 1) return named(shapes.front());
   switch (mergedKind(kinds)) {
     case ShapeKind::Curves:
       return drawn(shapes);

@@ -101,7 +101,7 @@ void TypedText::type(const QString& more) {
 }
 
 QString TypedText::shown() const {
-  constexpr QChar caret(0x258F);  // a bar as high as a line
+  constexpr QChar caret(u'|');
   return selected_ ? text_ : QString(text_).insert(caret_, caret);
 }
 

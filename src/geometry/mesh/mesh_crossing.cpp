@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/triangle_crossing.h"
 #include "geometry/numeric/box_tree.h"
@@ -32,19 +34,25 @@ void refuseWhatIsNoPlace(const Mesh& mesh) {
 }
 
 std::vector<FaceTriangle> trianglesWithArea(const Mesh& mesh, const Progress& progress) {
-  const auto [triangles, faces] = triangulated(mesh, progress);
-  std::vector<FaceTriangle> result;
-  result.reserve(triangles.faceCount());
-  for (std::size_t t = 0; t < triangles.faceCount(); ++t) {
-    progress.check();
-    FaceTriangle made;
-    made.face = static_cast<std::size_t>(faces[t]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      made.at[k] = triangles.points[static_cast<std::size_t>(triangles.face(t)[k])];
-      made.box.extend(made.at[k]);
+  const auto both = triangulated(mesh, progress);
+  const Mesh& triangles = both.first;
+  std::vector<FaceTriangle> result(triangles.faceCount());
+  std::vector<char> isFlat(result.size());
+  parallelFor(result.size(), 512, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      FaceTriangle& made = result[t];
+      made.face = static_cast<std::size_t>(both.second[t]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        made.at[k] = triangles.points[static_cast<std::size_t>(triangles.face(t)[k])];
+        made.box.extend(made.at[k]);
+      }
+      isFlat[t] = isCollapsed(made.at) ? 1 : 0;
     }
-    if (!isCollapsed(made.at)) result.push_back(made);
-  }
+  });
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < result.size(); ++t)
+    if (!isFlat[t]) result[count++] = result[t];
+  result.resize(count);
   return result;
 }
 
@@ -79,13 +87,21 @@ std::optional<MeshCrossing> firstCrossing(const Mesh& mesh, const Progress& prog
   refuseWhatIsNoPlace(mesh);
   const std::vector<FaceTriangle> triangles = trianglesWithArea(mesh, progress);
   const BoxTree<3> tree = treeOver(triangles, progress);
+  constexpr std::size_t atATime = 8192;  // so that what crosses early is not looked for to the end
   std::optional<MeshCrossing> found;
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    progress.check();
-    // All triangles of a polygon are tested before the first crossing is returned.
-    if (found && triangles[k].face != found->first) break;
-    const auto here = crossingOf(k, triangles, tree, [](const Triangle3&, const Triangle3&) { return true; });
-    if (here && (!found || here->second < found->second)) found = here;
+  for (std::size_t start = 0; start < triangles.size(); start += atATime) {
+    std::vector<std::optional<MeshCrossing>> here(std::min(atATime, triangles.size() - start));
+    parallelFor(here.size(), 64, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        progress.check();
+        here[k] = crossingOf(start + k, triangles, tree, [](const Triangle3&, const Triangle3&) { return true; });
+      }
+    });
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      // All triangles of a polygon are tested before the first crossing is returned.
+      if (found && triangles[start + k].face != found->first) return found;
+      if (here[k] && (!found || here[k]->second < found->second)) found = here[k];
+    }
   }
   return found;
 }

@@ -35,9 +35,7 @@ class Skin {
   [[nodiscard]] double distanceTo(const Vec3& place) const {
     double nearest = std::numeric_limits<double>::infinity();
     tree_.walk([&](const Box3& box) { return boxDistance(box, place); },
-               [&](std::size_t t) {
-                 nearest = std::min(nearest, (closestOnTriangle(place, triangles_[t]) - place).norm());
-               },
+               [&](std::size_t t) { nearest = std::min(nearest, (closestOnTriangle(place, triangles_[t]) - place).norm()); },
                [&](double distance) { return distance < nearest; });
     return nearest;
   }

@@ -139,7 +139,8 @@ namespace {
 void tellUnasked(const std::vector<std::size_t>& unasked, BooleanResult& told) {
   for (const std::size_t k : unasked)
     told.warnings.push_back(fmt::format(
-        "Whether shape {} counts as it should could not be checked: it is too small or too thin beside the others.", k + 1));
+        "It is not known whether shape {} counts as it should: it is too small or too thin beside the others to be judged.",
+        k + 1));
 }
 
 [[noreturn]] void refuseWrong(const BooleanOptions& options, const Vec3& place) {

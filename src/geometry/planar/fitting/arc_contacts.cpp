@@ -34,9 +34,8 @@ bool ArcContacts::any(const std::vector<Path>& loops) const {
     const auto* arc = std::get_if<Arc2>(&segment);
     return arc && (beside(*arc, true) || beside(*arc, false));
   };
-  return std::any_of(loops.begin(), loops.end(), [&](const Path& loop) {
-    return std::any_of(loop.segments.begin(), loop.segments.end(), touches);
-  });
+  return std::any_of(loops.begin(), loops.end(),
+                     [&](const Path& loop) { return std::any_of(loop.segments.begin(), loop.segments.end(), touches); });
 }
 
 ArcContacts::End ArcContacts::endOf(const Arc2& arc, bool start) {

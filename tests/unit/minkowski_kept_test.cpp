@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/planar/planar.h"
-#include "geometry/planar/segment_point.h"
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
 #include "minkowski/kernel/morph/morph.h"
@@ -28,31 +26,18 @@ Region anyCurved(Random& random, double reach) {
   return uniformInt(random, 0, 2) == 0 ? freeRegion(random, reach) : anyRounded(random, reach);
 }
 
-double distanceFrom(const Segment& segment, const Vec2& p, double chord) {
-  if (!std::holds_alternative<Spline2>(segment)) return distanceTo(segment, p);
-  double least = HUGE_VAL;
-  const std::vector<Vec2> line = flatten(segment, chord);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    least = std::min(least, distanceTo(Segment(Line2{line[i], line[i + 1]}), p));
-  return least;
-}
-
-/// Where two curves go on from each other nearly smoothly, rounding moves their joint along both.
-bool isJoint(const Vec2& p, const Path& path, std::size_t k, double size) {
-  const Segment &after = path.segments[k], &before = path.segments[(k + path.segments.size() - 1) % path.segments.size()];
-  if ((startPoint(after) - p).norm() < 1e-7 * size) return true;
-  const double within = 1e-10 * size;
-  return std::max(distanceFrom(before, p, within), distanceFrom(after, p, within)) < 10 * within &&
-         (startPoint(after) - p).norm() < 1e-4 * size;
-}
-
-void compareRegions(const Region& kept, const Region& plain, double size) {
+/// Free-form curves are fitted within the tolerance: rounding may decide where they are cut, and so move them by a part of
+/// it. All else is the same but for rounding. Where a circle begins is chance.
+void compareRegions(const Region& kept, const Region& plain, double size, double tolerance) {
   QCOMPARE(kept.loops.size(), plain.loops.size());
-  QVERIFY(std::abs(area(kept) - area(plain)) < 1e-9 * size * size);
   for (std::size_t i = 0; i < kept.loops.size(); ++i) {
-    QCOMPARE(kept.loops[i].segments.size(), plain.loops[i].segments.size());
-    for (std::size_t k = 0; k < kept.loops[i].segments.size(); ++k)
-      QVERIFY(isJoint(startPoint(kept.loops[i].segments[k]), plain.loops[i], k, size));
+    const Path &one = kept.loops[i], &other = plain.loops[i];
+    const bool isFree = hasSplines({{other}}), isCircle = other.segments.size() == 1;
+    const double ofArea = isFree ? 0.01 * tolerance * length(other) : 0;
+    QVERIFY(std::abs(signedArea(one) - signedArea(other)) < 1e-9 * size * size + ofArea);
+    QCOMPARE(one.segments.size(), other.segments.size());
+    for (std::size_t k = 0; k < one.segments.size() && !isCircle; ++k)
+      QVERIFY((startPoint(one.segments[k]) - startPoint(other.segments[k])).norm() < 1e-7 * size + (isFree ? tolerance : 0));
   }
 }
 
@@ -69,7 +54,7 @@ void MinkowskiKeptTest::sumsOfMultiplesOfKeptShapes() {
       const double s = std::pow(10, uniform(random, -4, 0.5)), t = std::pow(10, uniform(random, -4, 0.5));
       const SoundRegion kept = add(scaled(a, s), scaled(b, t), Progress::none());
       const SoundRegion plain = sum(scaled(a, s), scaled(b, t), Progress::none(), unlimited);
-      compareRegions(kept.region, plain.region, 10 * (s + t));
+      compareRegions(kept.region, plain.region, 10 * (s + t), plain.tolerance);
       QVERIFY(std::abs(kept.tolerance - plain.tolerance) < 1e-15);
     }
     QCOMPARE(add.count(), std::size_t(4));
@@ -87,7 +72,7 @@ void MinkowskiKeptTest::framesTogetherAreThoseAlone() {
     const MorphOptions coarse{.evaluation = EvaluationOrder::Explicit, .tolerance = 0.05};
     const MorphResult together = morph(shapes, times, coarse);
     for (std::size_t k = 0; k < times.size(); ++k)
-      compareRegions(together.regions[k], morph(shapes, std::span(times).subspan(k, 1), coarse).regions.front(), 10);
+      compareRegions(together.regions[k], morph(shapes, std::span(times).subspan(k, 1), coarse).regions.front(), 10, 0);
   }
 }
 

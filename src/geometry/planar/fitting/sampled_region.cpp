@@ -24,6 +24,9 @@ class ArcSampler {
     // The material lies on opposite sides of arcs that touch from within, and both are cut at the same places.
     const std::size_t oneWay = normals_.size();
     for (std::size_t i = 0; i < oneWay; ++i) normals_.push_back(inOneTurn(normals_[i] + std::numbers::pi));
+    std::sort(normals_.begin(), normals_.end());
+    const auto same = [](double p, double q) { return q - p <= sameAngle; };
+    normals_.erase(std::unique(normals_.begin(), normals_.end(), same), normals_.end());
   }
 
   /// Angles from the start of an arc to its end, both included, and one between: a single chord would not tell a hollow side
@@ -50,8 +53,6 @@ class ArcSampler {
       if (along > sameAngle && along < sweep - sameAngle) cuts.push_back(arc.start + sign * along);
     }
     std::sort(cuts.begin(), cuts.end(), [sign](double a, double b) { return sign * a < sign * b; });
-    const auto same = [](double a, double b) { return std::abs(b - a) <= sameAngle; };
-    cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
     cuts.push_back(arc.start + arc.sweep);
     return cuts;
   }

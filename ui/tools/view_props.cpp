@@ -153,7 +153,7 @@ class PictureActor : public vtkTexturedActor2D {
     const int* const size = viewport->GetSize();
     const double* const bounds = pictureBounds();
     std::array<double, 2> way{0, 0};
-    for (int k = 0; bounds && k < 2; ++k) {
+    for (std::size_t k = 0; bounds && k < 2; ++k) {
       if (inView_ == InView::WithItsPosition && (at.at(k) < 0 || at.at(k) > size[k])) return {0, 0};
       const double low = at.at(k) + bounds[2 * k], high = at.at(k) + bounds[2 * k + 1];
       if (high - low + 2 * gap > size[k]) continue;

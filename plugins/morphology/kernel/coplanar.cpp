@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 #include "core/parallel.h"
 #include "geometry/mesh/mesh_topology.h"
@@ -162,7 +163,10 @@ class Chains {
 /// From a vertex to the next one along the boundary of a region, counter-clockwise.
 struct Step {
   int region = 0, from = 0, to = 0;
-  friend auto operator<=>(const Step&, const Step&) = default;
+  friend bool operator==(const Step&, const Step&) = default;
+  friend bool operator<(const Step& a, const Step& b) {
+    return std::tie(a.region, a.from, a.to) < std::tie(b.region, b.from, b.to);
+  }
 };
 
 /// In order: by region, then by where they begin.
@@ -269,6 +273,7 @@ Vec3 normalOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops) {
   Vec3 sum = Vec3::Zero();
   for (const auto& loop : loops) {
     std::vector<Vec3> polygon;
+    polygon.reserve(loop.size());
     for (const int v : loop) polygon.push_back(mesh.points[at(v)]);
     sum += vectorArea(polygon);
   }

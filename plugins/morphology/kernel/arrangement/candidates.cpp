@@ -98,7 +98,7 @@ class Drafting {
     draft.family = faceOfA ? Family::FaceAndCorner : Family::CornerAndFace;
     for (std::size_t k = 0; k < 3; ++k)
       draft.corners[k] = faceOfA ? CornerPair{here.corners[k], corner} : CornerPair{corner, here.corners[k]};
-    add(std::move(draft), here.normal, made);
+    add(draft, here.normal, made);
   }
 
   void edgeAtEdge(int edgeOfA, int edgeOfB, std::vector<Draft>& made) const {
@@ -121,7 +121,7 @@ class Drafting {
   }
   void add(Draft draft, const Normal3& normal, std::vector<Draft>& made) const {
     draft.plane = Planes::directed(normal, placeOf(a_, b_, draft.corners[0]));
-    made.push_back(std::move(draft));
+    made.push_back(draft);
   }
 
   const Features &a_, &b_;

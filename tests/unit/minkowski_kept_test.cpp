@@ -26,19 +26,31 @@ Region anyCurved(Random& random, double reach) {
   return uniformInt(random, 0, 2) == 0 ? freeRegion(random, reach) : anyRounded(random, reach);
 }
 
-/// Free-form curves are fitted within the tolerance: rounding may decide where they are cut, and so move them by a part of
-/// it. All else is the same but for rounding. Where a circle begins is chance.
-void compareRegions(const Region& kept, const Region& plain, double size, double tolerance) {
-  QCOMPARE(kept.loops.size(), plain.loops.size());
+bool sameBut(const Path& one, const Path& other, double size) {
+  if (one.segments.size() != other.segments.size()) return false;
+  if (std::abs(signedArea(one) - signedArea(other)) >= 1e-9 * size * size) return false;
+  const auto *circle = std::get_if<Arc2>(&one.segments[0]), *sameCircle = std::get_if<Arc2>(&other.segments[0]);
+  if (one.segments.size() == 1 && circle && sameCircle)  // where it begins is chance
+    return (circle->center - sameCircle->center).norm() < 1e-7 * size &&
+           std::abs(circle->radius - sameCircle->radius) < 1e-7 * size;
+  for (std::size_t k = 0; k < one.segments.size(); ++k)
+    if ((startPoint(one.segments[k]) - startPoint(other.segments[k])).norm() >= 1e-7 * size) return false;
+  return true;
+}
+
+/// @returns whether they are the same but for rounding; if not, which only free-form loops may be, they are within a
+/// hundredth of the tolerance of each other, by area
+bool compareRegions(const Region& kept, const Region& plain, double size, double tolerance) {
+  if (kept.loops.size() != plain.loops.size()) qFatal("%zu and %zu loops", kept.loops.size(), plain.loops.size());
+  bool same = true;
   for (std::size_t i = 0; i < kept.loops.size(); ++i) {
     const Path &one = kept.loops[i], &other = plain.loops[i];
-    const bool isFree = hasSplines({{other}}), isCircle = other.segments.size() == 1;
-    const double ofArea = isFree ? 0.01 * tolerance * length(other) : 0;
-    QVERIFY(std::abs(signedArea(one) - signedArea(other)) < 1e-9 * size * size + ofArea);
-    QCOMPARE(one.segments.size(), other.segments.size());
-    for (std::size_t k = 0; k < one.segments.size() && !isCircle; ++k)
-      QVERIFY((startPoint(one.segments[k]) - startPoint(other.segments[k])).norm() < 1e-7 * size + (isFree ? tolerance : 0));
+    if (sameBut(one, other, size)) continue;
+    same = false;
+    const double off = std::abs(signedArea(one) - signedArea(other));
+    if (!hasSplines({{other}}) || off >= 0.01 * tolerance * length(other)) qFatal("areas differ by %g", off);
   }
+  return same;
 }
 
 }  // namespace
@@ -46,6 +58,7 @@ void compareRegions(const Region& kept, const Region& plain, double size, double
 void MinkowskiKeptTest::sumsOfMultiplesOfKeptShapes() {
   Random random = seededRandom();
   Effort unlimited;
+  int different = 0;
   for (int round = 0; round < 60; ++round) {
     SoundRegion a = soundRegion(anyCurved(random, 10), {}, "a"), b = soundRegion(anyCurved(random, 10), {}, "b");
     Adder add;
@@ -54,11 +67,12 @@ void MinkowskiKeptTest::sumsOfMultiplesOfKeptShapes() {
       const double s = std::pow(10, uniform(random, -4, 0.5)), t = std::pow(10, uniform(random, -4, 0.5));
       const SoundRegion kept = add(scaled(a, s), scaled(b, t), Progress::none());
       const SoundRegion plain = sum(scaled(a, s), scaled(b, t), Progress::none(), unlimited);
-      compareRegions(kept.region, plain.region, 10 * (s + t), plain.tolerance);
+      different += compareRegions(kept.region, plain.region, 10 * (s + t), plain.tolerance) ? 0 : 1;
       QVERIFY(std::abs(kept.tolerance - plain.tolerance) < 1e-15);
     }
     QCOMPARE(add.count(), std::size_t(4));
   }
+  QVERIFY2(different <= 1, qPrintable(QString::number(different)));  // of 240
 }
 
 void MinkowskiKeptTest::framesTogetherAreThoseAlone() {
@@ -72,7 +86,8 @@ void MinkowskiKeptTest::framesTogetherAreThoseAlone() {
     const MorphOptions coarse{.evaluation = EvaluationOrder::Explicit, .tolerance = 0.05};
     const MorphResult together = morph(shapes, times, coarse);
     for (std::size_t k = 0; k < times.size(); ++k)
-      compareRegions(together.regions[k], morph(shapes, std::span(times).subspan(k, 1), coarse).regions.front(), 10, 0);
+      QVERIFY(
+          compareRegions(together.regions[k], morph(shapes, std::span(times).subspan(k, 1), coarse).regions.front(), 10, 0));
   }
 }
 

@@ -130,6 +130,24 @@ class ModelingBooleanTest : public QObject {
     VERIFY_REFUSED(refusal("boolean", {}, {large, sheet}), ErrorCode::InvalidInput, "Input 2 is not a closed solid");
   }
 
+  /// The check of results refused these, which it compared with the shapes as they were before faces were moved.
+  void gapsWithinTheFuzzyDistanceAreClosed() {
+    const Shape plate = made("box", {{"width", 40}, {"depth", 40}, {"height", 10}}).shape;
+    const Shape pin = made("cylinder", {{"radius", 1}, {"height", 5}, {"position", {20, 20, 10.05}}}).shape;
+    const Evaluated both = combined("union", {plate, pin}, {{"fuzzy", 0.1}});
+    COMPARE_NEAR(figure(both.shape, "components"), 1, 0);
+    COMPARE_NEAR(volume(both), 16000 + 5 * pi, 0.5);
+  }
+
+  /// A large curved solid is not meshed as finely as a small tool: that took minutes and gigabytes.
+  void aSmallToolCutsALargeSphere() {
+    const Shape sphere = made("sphere", {{"radius", 100}}).shape;
+    const Shape tool =
+        made("box", {{"width", 0.2}, {"depth", 0.2}, {"height", 0.2}, {"position", {99.9, -0.1, -0.1}}}).shape;
+    const double whole = 4e6 * pi / 3, left = volume(combined("difference", {sphere, tool}));
+    QVERIFY2(left < whole - 0.003 && left > whole - 0.008, qPrintable(QString::number(whole - left)));
+  }
+
   void nameAndColourOfTheFirstRemain() {
     const Brep plate(made("box").shape.get<Brep>()->shape(), "Plate", Color{1, 0, 0});
     const Evaluated both = combined("union", {plate, made("sphere").shape});

@@ -53,6 +53,18 @@ class MorphologyDifferenceTest : public QObject {
     qInfo("figure difference_high %.17g", boundsOf(room).high.x());
   }
 
+  // What a ball has rounded is melted by it again: of the faces that it has made nothing is left but points, and they are
+  // left out. Sums leave out none.
+  void roundedSolidsMeltedAgain() {
+    const Mesh ball = ballOf(0.4, 1);
+    for (const Mesh& solid : {lBlock(), frameBlock(2, 0.3, 0, 1), frameBlock(3, 1, 0, 2)}) {
+      const Mesh rounded = solidSumOf(solid, ball);
+      const double left = volumeOf(solidDifferenceOf(rounded, ball));
+      COMPARE_NEAR(left, differenceByDuality(rounded, ball), 1e-8);
+      QVERIFY(left > volumeOf(solid) - 1e-9);
+    }
+  }
+
   // The same through the way of solids that are not convex.
   void nonConvexSolidsLikewise() {
     const Mesh room = solidDifferenceOf(lBlock(), cuboid({0, 0, 0}, {0.5, 0.25, 1}));

@@ -65,19 +65,19 @@ class MorphologyRoundingTest : public QObject {
   // Where the corners cannot hold a detail, it is closed, and said; what cannot be closed is refused.
   void whatRoundingMakesCrossIsSnapped() {
     const Mesh triangles = triangulated(slotted(1e-9)).first;
-    QCOMPARE(finished(triangles, Vec3::Zero(), Progress::none()).warning, std::string());
+    QCOMPARE(finished(triangles, Vec3::Zero(), Slivers::Go, Progress::none()).warning, std::string());
     const Vec3 far(1e8, 1e8, 0);  // doubles lie 1.5e-8 apart here
-    const Finished snapped = finished(triangles, far, Progress::none());
+    const Finished snapped = finished(triangles, far, Slivers::Go, Progress::none());
     QVERIFY(!firstCrossing(snapped.mesh));
     COMPARE_NEAR(volumeOf(movedBy(snapped.mesh, -far)), 12, 1e-6);
     QVERIFY(snapped.warning.starts_with("Corners have been moved by up to "));
-    VERIFY_ERROR(finished(scaledBy(triangles, 1e-9), far, Progress::none()), ErrorCode::Degenerate);
+    VERIFY_ERROR(finished(scaledBy(triangles, 1e-9), far, Slivers::Go, Progress::none()), ErrorCode::Degenerate);
   }
 
   void theSameSolidGivesTheSameMesh() {
     std::mt19937_64 random = seededRandom();
     const Mesh solid = triangulated(slotted(1)).first;
-    const Mesh first = finished(solid, Vec3::Zero(), Progress::none()).mesh;
+    const Mesh first = finished(solid, Vec3::Zero(), Slivers::Go, Progress::none()).mesh;
     for (int k = 0; k < 5; ++k) {
       // Other numbers, other orders, other first corners.
       std::vector<int> number(solid.points.size());
@@ -95,7 +95,7 @@ class MorphologyRoundingTest : public QObject {
         std::rotate(face.begin(), face.begin() + k % 3, face.end());
         shuffled.addFace(face);
       }
-      QVERIFY(finished(shuffled, Vec3::Zero(), Progress::none()).mesh == first);
+      QVERIFY(finished(shuffled, Vec3::Zero(), Slivers::Go, Progress::none()).mesh == first);
     }
   }
 
@@ -105,7 +105,7 @@ class MorphologyRoundingTest : public QObject {
       for (const Mesh& a : {l, frame}) {
         const Mesh one = solidSum(bodyOf(a), bodyOf(b)).solids.front();
         const Mesh theirs = sumByNef(triangulated(a).first, triangulated(b).first);
-        const Mesh other = finished(theirs, Vec3::Zero(), Progress::none()).mesh;
+        const Mesh other = finished(theirs, Vec3::Zero(), Slivers::Go, Progress::none()).mesh;
         COMPARE_NEAR(volumeOf(one), volumeOf(other), 1e-12 * volumeOf(one));
         QVERIFY(one == other);
       }

@@ -19,6 +19,7 @@
 #include "kernel/plane_triangles.h"
 #include "kernel/self_crossing.h"
 #include "kernel/side_by_side.h"
+#include "kernel/slivers.h"
 
 namespace blossom::morphology {
 
@@ -215,18 +216,36 @@ std::string movedBySentence(double step) {
   return fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", step);
 }
 
+constexpr double leastThickness = 1e-12;  ///< of the size: thinner voids and bodies may be turned by rounding
+
 }  // namespace
 
-Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress) {
+CannotBeRounded::CannotBeRounded(const std::string& message)
+    : Error(ErrorCode::Degenerate, message,
+            "Make one shape a little larger or smaller where one just fits the other, or leave out details too small for "
+            "their size.") {}
+
+Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const Progress& progress) {
   progress.report(0, "Joining faces");
   const Mesh triangles = inOrder(manifoldOf(soup, progress));
   const double size = bounds(triangles).diagonal();
   bool isClosed = false;
+  std::size_t shells = 0;
   Mesh joined;
   sideBySide(
-      progress, [&] { isClosed = meshTopology(triangles).closed(); },
+      progress,
+      [&] {
+        const MeshTopology topology = meshTopology(triangles);
+        isClosed = topology.closed();
+        shells = topology.components.size();
+      },
       [&] { joined = joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress); });
   if (!isClosed) throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
+  if (slivers == Slivers::Go && shells > 1) {
+    const Mesh thicker = withoutSlivers(triangles, leastThickness * size, progress);
+    const bool isLess = thicker.faceCount() > 0 && thicker.faceCount() < triangles.faceCount();
+    if (isLess) return finished(thicker, centre, Slivers::Stay, progress);
+  }
   joined = joined.faceCount() == triangles.faceCount() ? triangles : manifoldOf(joined, progress);
   Attempts attempts(centre, progress);
   if (auto made = attempts.withFewerPolygons(joined)) return {inOrder(*made), {}};
@@ -236,13 +255,11 @@ Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress
   if (auto made = Rounding(centre, attempts, progress).from({joined, triangles}, finest))
     return {inOrder(made->mesh), movedBySentence(made->step)};
   if (attempts.crossing()) crossing = attempts.crossing();
-  throw Error(ErrorCode::Degenerate,
-              crossing
-                  ? fmt::format("With corners rounded to numbers of 16 digits the result crosses itself near {}.",
-                                Subject{}.place(crossing->place))
-                  : fmt::format("With corners rounded to numbers of 16 digits nothing closed is left of the result near {}.",
-                                Subject{}.place(centre)),
-              "Move the shapes nearer to the origin, or leave out details that are too small for their size.");
+  throw CannotBeRounded(
+      crossing ? fmt::format("With corners rounded to numbers of 16 digits the result crosses itself near {}.",
+                             Subject{}.place(crossing->place))
+               : fmt::format("With corners rounded to numbers of 16 digits nothing closed is left of the result near {}.",
+                             Subject{}.place(centre)));
 }
 
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& progress) {

@@ -1,7 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "core/progress.h"
 #include "core/vector.h"
 #include "geometry/mesh/mesh.h"
@@ -14,11 +16,21 @@ struct Finished {
   std::string warning;  ///< when corners had to be moved by more than rounding
 };
 
+enum class Slivers : std::uint8_t { Stay, Go };
+
+/// Corners cannot be rounded to doubles so that no faces cross: sheets lie nearer to each other than that.
+class CannotBeRounded : public Error {
+ public:
+  explicit CannotBeRounded(const std::string& message);
+};
+
 /// Closed, oriented triangles about `centre` as polygons: coplanar triangles are joined, vertices inside straight edges
-/// removed (see joinedFacesFlatness). Where rounding makes faces intersect, fewer are joined; where they still do, corners
-/// are rounded to coarser and coarser grids. The same solid always results in the same mesh, however it was triangulated.
-/// @throws Error Degenerate with the place when faces intersect on every grid, Internal, Cancelled.
-Finished finished(const Mesh& triangles, const Vec3& centre, const Progress&);
+/// removed (see joinedFacesFlatness). Where rounding makes
+/// faces intersect, fewer are joined; where they still do, corners are rounded to coarser and coarser grids. The same solid
+/// always results in the same mesh, however it was triangulated.
+/// @throws CannotBeRounded with the place when faces intersect on every grid; Error Internal, Cancelled.
+/// @param slivers whether voids and bodies stay that are thinner than rounding, which may turn them inside out
+Finished finished(const Mesh& triangles, const Vec3& centre, Slivers slivers, const Progress&);
 
 struct OnGrid {
   Mesh triangles;

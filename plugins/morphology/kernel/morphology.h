@@ -91,7 +91,9 @@ struct GrowOptions {
   /// Of `melted`: what is left is rounded by so many times the size, as if the melting had gone on for so long and the rest
   /// had grown again: edges and thin places go first.
   double rounding = 0;
-  bool untilNothing = false;  ///< of `melted`: sizes are shares of the largest one of which anything is left
+  /// Of `melted`: sizes are shares of the largest one of which anything is left. Rounding ends towards 1, for it would keep
+  /// what it takes.
+  bool untilNothing = false;
 };
 
 /// A + s B for the ball or element B (section 3.2).

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace blossom::morphology {
 struct CheckedSolid {
   Mesh triangles;  ///< closed, oriented outward, no triangle of zero area, no intersections
   std::vector<std::string> warnings;
+  std::optional<Vec3> bodyInBody = std::nullopt;  ///< where a body lies within another one
 };
 
 /// A mesh as the boundary of a solid. Defects with an unambiguous repair are repaired (all faces oriented inward, triangles

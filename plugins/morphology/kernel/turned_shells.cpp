@@ -29,28 +29,37 @@ void turn(Mesh& mesh, std::size_t face) {
   std::reverse(mesh.faceVertices.begin() + mesh.faceStarts[face], mesh.faceVertices.begin() + mesh.faceStarts[face + 1]);
 }
 
-/// Whether there is less than no solid on one side of a triangle.
-bool isTurned(const WindingField& field, const std::vector<Triangle3>& of) {
+/// How often solid covers the emptier side of a triangle: less than 0 beside one that is turned, 1 or more within a body.
+double leastBeside(const WindingField& field, const std::vector<Triangle3>& of) {
   const auto [front, back] = pointsBesideLargest(of);
-  return std::min(field.at(front), field.at(back)) < 0;
+  return std::min(field.at(front), field.at(back));
 }
 
-/// Where each shell that is inside out lies; nothing for the others, among them those that are so only in part because they
-/// cross another one.
-std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopology& topology, const Progress& progress) {
+/// Where shells lie that are not as they should be; nothing for the others.
+struct Places {
+  std::vector<std::optional<Vec3>> insideOut;  ///< by shell
+  std::optional<Vec3> bodyInBody;              ///< of a body within another one
+};
+
+Places placesOf(const Mesh& triangles, const MeshTopology& topology, const Progress& progress) {
   if (topology.components.size() == 1)
-    return {signedVolume(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt};
+    return {{signedVolume(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt}, std::nullopt};
   const auto shells = shellsOf(triangles, topology);
   std::vector<Triangle3> all;
   for (const auto& shell : shells) all.insert(all.end(), shell.begin(), shell.end());
   const WindingField field(std::move(all), progress);
-  std::vector<std::optional<Vec3>> found;
+  Places found;
   for (const auto& shell : shells) {
     progress.check();
-    const bool isWrong = isTurned(field, shell) && std::all_of(shell.begin(), shell.end(), [&](const Triangle3& triangle) {
-                           return isTurned(field, {triangle});
-                         });
-    found.push_back(isWrong ? std::optional(shell.front()[0]) : std::nullopt);
+    const double least = leastBeside(field, shell);
+    // Shells that cross others are so in part only.
+    const auto isAllSo = [&](const auto& isSo) {
+      return isSo(least) && std::all_of(shell.begin(), shell.end(),
+                                        [&](const Triangle3& triangle) { return isSo(leastBeside(field, {triangle})); });
+    };
+    const bool isWrong = isAllSo([](double sides) { return sides < 0; });
+    found.insideOut.push_back(isWrong ? std::optional(shell.front()[0]) : std::nullopt);
+    if (!found.bodyInBody && isAllSo([](double sides) { return sides > 0.5; })) found.bodyInBody = shell.front()[0];
   }
   return found;
 }
@@ -59,7 +68,8 @@ std::vector<std::optional<Vec3>> insideOut(const Mesh& triangles, const MeshTopo
 
 void turnOutwards(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
   const MeshTopology topology = meshTopology(solid.triangles, progress);
-  const auto found = insideOut(solid.triangles, topology, progress);
+  const auto [found, bodyInBody] = placesOf(solid.triangles, topology, progress);
+  solid.bodyInBody = bodyInBody;
   const auto isFound = [](const std::optional<Vec3>& place) { return place.has_value(); };
   if (std::none_of(found.begin(), found.end(), isFound)) return;
   for (std::size_t f = 0; f < solid.triangles.faceCount(); ++f)

@@ -13,6 +13,7 @@
 #include "kernel/arrangement/membership.h"
 #include "kernel/arrangement/number_table.h"
 #include "kernel/arrangement/plane_map.h"
+#include "kernel/arrangement/tight_faces.h"
 #include "kernel/side_by_side.h"
 
 namespace blossom::morphology {
@@ -237,11 +238,13 @@ bool haveVolume(const Features& a, const Features& b) {
   return false;
 }
 
-/// Behind the facets of two thin pieces there is their sum only when it has volume.
-std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, const FeaturePairs* kept,
-                            const Progress& progress) {
+/// Behind the facets of two thin pieces there is their sum only when it has volume. Of a complement there are no pieces.
+std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, bool insideOut,
+                            const FeaturePairs* kept, const Progress& progress) {
   const auto found = [&](const Features& p, const Features& q) {
-    return candidates(p, q, nearPairs(p, q, 0, progress), planes, points, progress);
+    FeaturePairs pairs = nearPairs(p, q, 0, progress);
+    if (insideOut) leaveOutTightFaces(pairs, p, q);
+    return candidates(p, q, pairs, planes, points, progress);
   };
   if (kept) return candidates(a.whole, b.whole, *kept, planes, points, progress);
   if (a.pieces.empty() || b.pieces.empty()) return found(a.whole, b.whole);
@@ -261,7 +264,7 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
   Planes planes;
   Points points(planes);
   progress.report(0, "Pairing faces");
-  const std::vector<Facet> facets = facetsOf(a, b, planes, points, kept, progress);
+  const std::vector<Facet> facets = facetsOf(a, b, planes, points, insideOut, kept, progress);
   ArrangedSum made;
   for (const Facet& facet : facets) ++made.candidates[static_cast<std::size_t>(facet.family)];
   made.candidatesMs = watch.lapMs();
@@ -304,7 +307,7 @@ std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, dou
   Planes planes;
   Points points(planes);
   std::vector<SumFacet> made;
-  for (const Facet& facet : facetsOf(both->first, both->second, planes, points, nullptr, progress)) {
+  for (const Facet& facet : facetsOf(both->first, both->second, planes, points, false, nullptr, progress)) {
     SumFacet& placed = made.emplace_back(SumFacet{static_cast<std::size_t>(facet.family), {}});
     for (std::size_t k = 0; k < facet.count; ++k)
       placed.corners.emplace_back(step * inDoubles(points.grid(facet.corners[k])));

@@ -36,6 +36,10 @@ inline Eigen::Vector3d inDoubles(const Grid3& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
+inline Eigen::Vector3d inDoubles(const Normal3& n) {
+  return {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
+}
+
 /// Of a solid. Points are scaled, then rounded to multiples of `step`, of `usualSteps` where that scales them; a factor
 /// below 0 mirrors the solid in the origin. The solid `insideOut` is its complement. Nothing when rounding leaves a triangle
 /// without area, and where an edge has not two faces. @pre oriented triangles with coordinates below 2^59 steps once they

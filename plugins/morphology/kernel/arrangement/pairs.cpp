@@ -14,8 +14,7 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// Radians by which all is enlarged: more than doubles lose, and than what is left out of cones between nearly parallel
-/// edges.
+/// Radians by which all is enlarged: more than doubles lose.
 constexpr double slack = 2e-4;
 
 Box3 wholeSphere() { return {Vector::Constant(-1), Vector::Constant(1)}; }
@@ -104,7 +103,7 @@ class OnSphere {
 
   /// Directions that fall along all edges of the corner: a cone between the normals of pairs of them.
   [[nodiscard]] Box3 coneOf(const Features::Corner& corner) const {
-    constexpr double parallel = 1e-5, rounded = 1e-9;
+    constexpr double rounded = 1e-9;
     std::vector<Vector> along;
     double shortest = HUGE_VAL;
     for (const Grid3& d : corner.around) {
@@ -115,14 +114,15 @@ class OnSphere {
     double flattest = 1;
     for (std::size_t i = 0; i < along.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
-        const Vector across = along[i].cross(along[j]);
-        const double sine = across.norm();
-        if (sine < parallel) continue;
+        // In whole numbers: two edges in nearly opposite directions meet in the tip of a long, thin cone.
+        const Normal3 across = cross(corner.around[i], corner.around[j]);
+        if (isZero(across)) continue;
+        const Vector unit = inDoubles(across).normalized();
         for (const double sign : {1.0, -1.0}) {
-          const Vector ray = sign / sine * across;
+          const Vector ray = sign * unit;
           if (std::any_of(along.begin(), along.end(), [&](const Vector& d) { return ray.dot(d) > rounded; })) continue;
           rays.push_back(ray);
-          flattest = std::min(flattest, sine);
+          flattest = std::min(flattest, along[i].cross(along[j]).norm());
         }
       }
     Vector middle = Vector::Zero();

@@ -11,8 +11,8 @@ namespace {
 std::size_t next(std::size_t k) { return (k + 1) % 3; }
 std::size_t previous(std::size_t k) { return (k + 2) % 3; }
 
-Cover operator+(const Cover& a, const Cover& b) { return {a.sameWay + b.sameWay, a.otherWay + b.otherWay}; }
-Cover operator-(const Cover& a) { return {-a.sameWay, -a.otherWay}; }
+Cover sumOf(const Cover& a, const Cover& b) { return {a.sameWay + b.sameWay, a.otherWay + b.otherWay}; }
+Cover negated(const Cover& a) { return {-a.sameWay, -a.otherWay}; }
 
 [[noreturn]] void lost() {
   throw Error(ErrorCode::Internal, "The facets of a sum of solids could not be divided along their intersections.",
@@ -335,11 +335,11 @@ void PlaneMap::clear(const Segment& segment, int here, int target, std::vector<s
 void PlaneMap::mark(const Segment& segment, int here, int next_) {
   const EdgeOf forth = edge(here, next_), back = edge(next_, here);
   if (forth.triangle == none && back.triangle == none) lost();
-  for (const auto& [edge, gain] : {std::pair{forth, segment.gain}, {back, -segment.gain}}) {
+  for (const auto& [edge, gain] : {std::pair{forth, segment.gain}, {back, negated(segment.gain)}}) {
     if (edge.triangle == none) continue;
     Side& side = at(edge.triangle).sides[edge.side];
     if (side.line == none) side.line = segment.line;
-    side.gain = side.gain + gain;
+    side.gain = sumOf(side.gain, gain);
   }
 }
 
@@ -371,7 +371,7 @@ PlaneMap::Divided PlaneMap::divided() const {
           made.pieces[static_cast<std::size_t>(side.beyond)].patch = patch;
           inside.push_back(side.beyond);
         } else {
-          waiting.emplace_back(side.beyond, cover + -side.gain);
+          waiting.emplace_back(side.beyond, sumOf(cover, negated(side.gain)));
         }
       }
     }

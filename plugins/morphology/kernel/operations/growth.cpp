@@ -49,14 +49,17 @@ class Growth {
   }
 
   /// Without faces when nothing is left.
-  Made melted(double size, double from, double to) {
-    const double rounding = options_.rounding, most = rounding > 0 ? (from + to) / 2 : to;
+  /// @param way to the largest size, as a share: rounding would keep as much as it takes, so it ends there, late
+  Made melted(double size, double way, double from, double to) {
+    const double rounding = options_.rounding, back = rounding * (1 - std::pow(way, 4)),
+                 most = rounding > 0 ? (from + to) / 2 : to;
     const Prepared element = elementAt((1 + rounding) * size);
     Made made{eroded(work_, solid_, element, grid_, from, most), -element.centre};
-    if (made.mesh.faceCount() == 0 || !(rounding > 0)) return made;
+    constexpr double least = 1e-6;  // of the size
+    if (made.mesh.faceCount() == 0 || !(back > least)) return made;
     const Prepared core = work_.asOperand(made.mesh, given_.name, grid_, most, most);
-    const Prepared back = elementAt(rounding * size);
-    return {sumOfAny(work_, core, 1, back, 1, grid_, most, to), made.moved + core.centre + back.centre};
+    const Prepared rounder = elementAt(back * size);
+    return {sumOfAny(work_, core, 1, rounder, 1, grid_, most, to), made.moved + core.centre + rounder.centre};
   }
 
   /// The largest size at which something is left, or a little less.
@@ -76,7 +79,7 @@ class Growth {
     while (above - below > precise * above && above > precise * precise * start) {
       work_.progress().report(0.1, "Looking for the largest size");
       const double middle = (below + above) / 2;
-      (melted(middle, 0.1, 0.1).mesh.faceCount() > 0 ? below : above) = middle;
+      (melted(middle, 1, 0.1, 0.1).mesh.faceCount() > 0 ? below : above) = middle;
     }
     return work_.stats().largestSize = below;
   }
@@ -134,11 +137,12 @@ MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Pr
 MorphologyResult melted(const Operand& a, const GrowOptions& options, const Progress& progress) {
   Growth growth(a, options, options.untilNothing ? 0 : (1 + options.rounding) * largestOf(options.sizes), progress);
   std::vector<double> sizes = options.sizes;
-  if (options.untilNothing) {
-    const double largest = growth.largest();
+  const double largest = options.untilNothing ? growth.largest() : 0;
+  if (options.untilNothing)
     for (double& size : sizes) size *= largest;
-  }
-  growth.frames(sizes, [&](double size, double from, double to) { return growth.melted(size, from, to); });
+  growth.frames(sizes, [&](double size, double from, double to) {
+    return growth.melted(size, largest > 0 ? size / largest : 0, from, to);
+  });
   return growth.result();
 }
 

@@ -1,8 +1,11 @@
 #include "kernel/operations/pair.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "core/error.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/convex/convex_sum.h"
 #include "kernel/convex/hull.h"
 
@@ -39,14 +42,31 @@ Mesh ConvexSums::sum(double weightA, double weightB) {
   return made;
 }
 
+namespace {
+
+bool isSolid(const Prepared& operand) { return operand.triangles.faceCount() > 0; }
+
+/// A sum of solids reaches exactly as far as both do.
+bool reachesAsFar(const Mesh& sum, const Prepared& a, double weightA, const Prepared& b, double weightB) {
+  const Bounds box = bounds(sum);
+  const Vec3 low = weightA * a.bounds.low + weightB * b.bounds.low, high = weightA * a.bounds.high + weightB * b.bounds.high;
+  const double near = 1e-9 * (high - low).norm();
+  return (box.low - low).norm() <= near && (box.high - high).norm() <= near;
+}
+
+}  // namespace
+
 Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, double weightB, const CommonGrid& grid,
               double from, double to, const arrangement::FeaturePairs* kept) {
   if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
   Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to, kept);
   if (sum.faceCount() == 0 && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b);
-  if (sum.faceCount() == 0)
+  if (sum.faceCount() == 0 && !isSolid(a) && !isSolid(b))
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");
+  if (sum.faceCount() == 0 || (isSolid(a) && isSolid(b) && !reachesAsFar(sum, a, weightA, b, weightB)))
+    throw Error(ErrorCode::Internal, fmt::format("The sum of {} and {} has lost a part.", a.name, b.name),
+                "Please report the two shapes.");
   return sum;
 }
 

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -42,9 +46,39 @@ void warnOfTightPlaces(Work& work, const Pair& pair, const Mesh* left) {
       "left out. Make that shape a little smaller where they count.");
 }
 
-}  // namespace
+/// About its middle.
+Operand scaled(Operand shape, double factor) {
+  const Vec3 middle = shape.bounds().center();
+  const auto scale = [&](Vec3& p) { p = middle + factor * (p - middle); };
+  for (Vec3& p : shape.mesh.points) scale(p);
+  for (auto& piece : shape.pieces)
+    for (Vec3& p : piece) scale(p);
+  return shape;
+}
 
-MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress) {
+/// Where shapes fit exactly, sheets of the result lie on each other but for rounding. When it cannot be written down so, the
+/// second shape is taken imperceptibly larger, which closes such places, or else smaller.
+/// @param operation (second shape, progress) -> MorphologyResult
+template <class Operation>
+MorphologyResult closingTightPlaces(const Operand& b, const Progress& progress, const Operation& operation) {
+  constexpr std::array changes{0.0, 1e-10, -1e-10, 1e-9, -1e-9, 1e-8, -1e-8};
+  for (const double change : changes) {
+    try {
+      if (change == 0) return operation(b, progress);
+      MorphologyResult made = operation(scaled(b, 1 + change), progress);
+      made.warnings.push_back(
+          fmt::format("The second shape has been taken {} by {:.0e} of its size: some places are just as wide as it is, and "
+                      "faces would cross there after rounding.",
+                      change > 0 ? "larger" : "smaller", std::abs(change)));
+      return made;
+    } catch (const CannotBeRounded&) {
+      if (change == changes.back()) throw;
+    }
+  }
+  return {};
+}
+
+MorphologyResult plainSum(const Operand& a, const Operand& b, const Progress& progress) {
   Work work(progress);
   const Pair pair = preparedPair(work, a, b);
   const Vec3 centre = pair.a.centre + pair.b.centre;
@@ -55,23 +89,7 @@ MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& pr
   return work.result();
 }
 
-SumParts partsOfSum(const Operand& a, const Operand& b, const Progress& progress) {
-  Work work(progress);
-  const Pair pair = preparedPair(work, a, b);
-  const auto facets = sumFacets(termOf(pair.a), termOf(pair.b), pair.grid.step, progress);
-  if (!facets) refuseSmallFaces(a.name);
-  SumParts parts;
-  for (const SumFacet& facet : *facets) {
-    std::vector<Vec3>& placed = parts.facets.at(facet.family).emplace_back(facet.corners);
-    for (Vec3& p : placed) p += pair.a.centre + pair.b.centre;
-  }
-  for (const Prepared* each : {&pair.a, &pair.b})
-    for (const Vec3& p : reflexCorners(termOf(*each), pair.grid.step)) parts.reflex.emplace_back(p + each->centre);
-  return parts;
-}
-
-MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
-  requireSolid(a);
+MorphologyResult plainDifference(const Operand& a, const Operand& b, const Progress& progress) {
   Work work(progress);
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
@@ -88,8 +106,7 @@ MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progr
   return work.result();
 }
 
-MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& progress) {
-  requireSolid(a);
+MorphologyResult plainOpening(const Operand& a, const Operand& b, const Progress& progress) {
   Work work(progress);
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
@@ -108,8 +125,7 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
   return work.result();
 }
 
-MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& progress) {
-  requireSolid(a);
+MorphologyResult plainClosing(const Operand& a, const Operand& b, const Progress& progress) {
   Work work(progress);
   const Pair pair = preparedPair(work, a, b);
   if (isConvex(pair.a)) {  // (A + B) - B is A
@@ -127,11 +143,51 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   };
   if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
   const Mesh sum = sumOfAny(work, pair.a, 1, pair.b, 1, pair.grid, 0.1, 0.5);
-  const Prepared grown = work.asOperand(sum, a.name, pair.grid, 0.5, 0.55);
+  const Prepared grown = work.asOperand(sum, a.name, pair.grid, 0.5, 0.55, Slivers::Go);
   const Mesh closed = eroded(work, grown, pair.b, pair.grid, 0.55, 0.9);
   requireClosed(closed.faceCount() == 0);
   work.finish(closed, pair.a.centre + grown.centre, 0.9, 1);
   return work.result();
+}
+
+}  // namespace
+
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress) {
+  return closingTightPlaces(b, progress,
+                            [&](const Operand& second, const Progress& part) { return plainSum(a, second, part); });
+}
+
+MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  return closingTightPlaces(b, progress,
+                            [&](const Operand& second, const Progress& part) { return plainDifference(a, second, part); });
+}
+
+MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  return closingTightPlaces(b, progress,
+                            [&](const Operand& second, const Progress& part) { return plainOpening(a, second, part); });
+}
+
+MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& progress) {
+  requireSolid(a);
+  return closingTightPlaces(b, progress,
+                            [&](const Operand& second, const Progress& part) { return plainClosing(a, second, part); });
+}
+
+SumParts partsOfSum(const Operand& a, const Operand& b, const Progress& progress) {
+  Work work(progress);
+  const Pair pair = preparedPair(work, a, b);
+  const auto facets = sumFacets(termOf(pair.a), termOf(pair.b), pair.grid.step, progress);
+  if (!facets) refuseSmallFaces(a.name);
+  SumParts parts;
+  for (const SumFacet& facet : *facets) {
+    std::vector<Vec3>& placed = parts.facets.at(facet.family).emplace_back(facet.corners);
+    for (Vec3& p : placed) p += pair.a.centre + pair.b.centre;
+  }
+  for (const Prepared* each : {&pair.a, &pair.b})
+    for (const Vec3& p : reflexCorners(termOf(*each), pair.grid.step)) parts.reflex.emplace_back(p + each->centre);
+  return parts;
 }
 
 MorphologyResult solidRounded(const Operand& a, const Operand& ball, RoundedEdges edges, const Progress& progress) {

@@ -47,10 +47,11 @@ std::pair<Prepared, Prepared> Work::prepareBoth(const Operand& a, const Operand&
   return made;
 }
 
-Prepared Work::asOperand(const Mesh& triangles, const std::string& name, const CommonGrid& grid, double from, double to) {
+Prepared Work::asOperand(const Mesh& triangles, const std::string& name, const CommonGrid& grid, double from, double to,
+                         Slivers slivers) {
   Operand rounded;
   rounded.name = name;
-  rounded.mesh = finished(triangles, Vec3::Zero(), progress_.part(from, (from + to) / 2)).mesh;
+  rounded.mesh = finished(triangles, Vec3::Zero(), slivers, progress_.part(from, (from + to) / 2)).mesh;
   return prepared(rounded, grid, progress_.part((from + to) / 2, to));
 }
 
@@ -99,7 +100,7 @@ void Work::finish(const Prepared& operand, const CommonGrid& grid, double from, 
 
 void Work::finish(const Mesh& triangles, const Vec3& centre, double from, double to) {
   Stopwatch watch;
-  Finished made = finished(triangles, centre, progress_.part(from, to));
+  Finished made = finished(triangles, centre, Slivers::Go, progress_.part(from, to));
   solids_.push_back(std::move(made.mesh));
   if (!made.warning.empty()) warn(std::move(made.warning));
   stats_.outputMs += watch.lapMs();

@@ -22,9 +22,9 @@ class Work {
   [[nodiscard]] Prepared prepare(const Operand&, const CommonGrid&, double from, double to);
   [[nodiscard]] std::pair<Prepared, Prepared> prepareBoth(const Operand&, const Operand&, const CommonGrid&, double from,
                                                           double to);
-  /// A result as an operand, rounded as if it came from a file.
-  [[nodiscard]] Prepared asOperand(const Mesh& triangles, const std::string& name, const CommonGrid&, double from,
-                                   double to);
+  /// A result as an operand, rounded as if it came from a file. What is thin will be made thick again: slivers stay.
+  [[nodiscard]] Prepared asOperand(const Mesh& triangles, const std::string& name, const CommonGrid&, double from, double to,
+                                   Slivers = Slivers::Stay);
   /// The operand with its bodies made one where they meet.
   [[nodiscard]] Prepared united(Prepared, const CommonGrid&, double from, double to);
 

@@ -93,10 +93,8 @@ class Combination {
     Effort unlimited;
     const auto faces = tracedFaces(edges_, progress, counting.rule, unlimited);
     const auto curveOf = [&](std::uint32_t edge) { return std::optional(curves_[edges_[edge].source]); };
-    const CurveFitting fitting{.rounding = within_,
-                               .reach = std::max(4 * longest_, 8 * within_),
-                               .gap = 4 * (deepest_ + within_),
-                               .closesGaps = false};
+    const CurveFitting fitting{
+        .rounding = within_, .reach = std::max(4 * longest_, 8 * within_), .gap = 4 * (deepest_ + within_)};
     auto region = fittedCurves(faces, grid_, curveOf, fitting, progress);
     if (!region || !hasAllCorners(*region)) return std::nullopt;
     beginWhereInputsBegin(*region);

@@ -175,7 +175,7 @@ class RingFitter {
     const auto nearest =
         std::min_element(points.begin(), points.end(), [&](const Vec2& p, const Vec2& q) { return miss(p) < miss(q); });
     if (nearest != points.end() && miss(*nearest) <= fitting_.reach) return Junction{*nearest, *nearest};
-    if (fitting_.closesGaps && (onBefore - onAfter).norm() <= fitting_.gap) return Junction{onBefore, onAfter};
+    if ((onBefore - onAfter).norm() <= fitting_.closed) return Junction{onBefore, onAfter};
     return std::nullopt;
   }
 

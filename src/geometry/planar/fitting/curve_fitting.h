@@ -18,8 +18,7 @@ struct CurveFitting {
   double rounding = 0;  ///< mm within which points are one
   double reach = 0;     ///< mm from a corner of the polygons to the same corner on the curves, at most
   double gap = 0;       ///< mm between the ends of curves that miss each other, at most
-  /// Whether a line joins such ends; otherwise the curves do not fit.
-  bool closesGaps = true;
+  double closed = 0;    ///< mm between such ends that a line joins; farther apart, the curves do not fit
 };
 
 /// Parts bounded by the curves that the sides of rings stand for: sides of one curve become one segment, and where the curve

@@ -38,6 +38,12 @@ class Fans {
   }
 
   [[nodiscard]] const std::vector<Fan>& all() const { return fans_; }
+  /// How far coordinates reach.
+  [[nodiscard]] double reach() const {
+    double most = 0;
+    for (const Fan& fan : fans_) most = std::max(most, fan.centre.cwiseAbs().maxCoeff() + fan.radius);
+    return most;
+  }
 
   [[nodiscard]] const Fan& at(double angle) const {
     const double first = fans_.front().from, inside = first + inOneTurn(angle - first);
@@ -72,9 +78,18 @@ std::vector<double> startsOf(const Fans& a, const Fans& b) {
 }
 
 /// Arcs about one centre that follow each other.
-bool continues(const Arc2& arc, const Arc2& next) { return arc.center == next.center && arc.radius == next.radius; }
+bool continues(const Arc2& arc, const Arc2& next, double rounding) {
+  return (arc.center - next.center).norm() <= rounding && std::abs(arc.radius - next.radius) <= rounding;
+}
 
-std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b, const Progress& progress) {
+/// Directions of sides far from the origin are known to some digits only: parallel ones leave arcs that are points.
+Arc2 withoutSliver(const Arc2& arc, double rounding) {
+  if (arc.radius * arc.sweep > rounding) return arc;
+  return {arc.center + arc.radius * unitAt(arc.start + arc.sweep / 2), 0, arc.start, arc.sweep};
+}
+
+std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b, double rounding,
+                              const Progress& progress) {
   std::vector<Arc2> arcs;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     progress.check();
@@ -82,27 +97,36 @@ std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, 
     const double middle = inOneTurn(starts[i] + width / 2);
     const Fan &ofA = a.at(middle), &ofB = b.at(middle);
     const Arc2 arc{ofA.centre + ofB.centre, ofA.radius + ofB.radius, starts[i], width};
-    if (!arcs.empty() && continues(arcs.back(), arc))
+    if (!arcs.empty() && continues(arcs.back(), arc, rounding))
       arcs.back().sweep += width;
     else
       arcs.push_back(arc);
   }
-  if (arcs.size() > 1 && continues(arcs.back(), arcs.front())) {
+  if (arcs.size() > 1 && continues(arcs.back(), arcs.front(), rounding)) {
     arcs.front().start = arcs.back().start;
     arcs.front().sweep += arcs.back().sweep;
     arcs.pop_back();
   }
+  for (Arc2& arc : arcs) arc = withoutSliver(arc, rounding);
   return arcs;
+}
+
+/// Makes a line longer by the next one where both are one but for rounding. @returns whether they are
+bool isGoneOn(Segment& segment, const Line2& next, double rounding) {
+  auto* line = std::get_if<Line2>(&segment);
+  if (!line) return false;
+  const Vec2 along = next.to - line->from;
+  if (std::abs(cross(along, next.from - line->from)) > rounding * along.norm()) return false;
+  line->to = next.to;
+  return true;
 }
 
 }  // namespace
 
 Region convexSum(const Region& a, const Region& b, const Progress& progress) {
   const Fans fansA(a.loops.front(), progress), fansB(b.loops.front(), progress);
-  const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB, progress);
-  double size = 0;
-  for (const Arc2& arc : arcs) size = std::max(size, arc.center.cwiseAbs().maxCoeff() + arc.radius);
-  const double rounding = 1e-15 * size;
+  const double rounding = 1e-15 * (fansA.reach() + fansB.reach());
+  const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB, rounding, progress);
   Region result;
   Path& path = result.loops.emplace_back();
   path.closed = true;
@@ -112,8 +136,12 @@ Region convexSum(const Region& a, const Region& b, const Progress& progress) {
     if (arc.radius > 0) path.segments.emplace_back(arc);
     const Vec2 from = arc.center + arc.radius * unitAt(arc.start + arc.sweep),
                to = next.center + next.radius * unitAt(next.start);
-    if ((to - from).norm() > rounding) path.segments.emplace_back(Line2{from, to});
+    if ((to - from).norm() > rounding && (path.segments.empty() || !isGoneOn(path.segments.back(), {from, to}, rounding)))
+      path.segments.emplace_back(Line2{from, to});
   }
+  const auto* first = std::get_if<Line2>(&path.segments.front());
+  if (first && path.segments.size() > 2 && isGoneOn(path.segments.back(), *first, rounding))
+    path.segments.erase(path.segments.begin());
   return result;
 }
 

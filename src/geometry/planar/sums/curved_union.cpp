@@ -36,7 +36,9 @@ class SampledUnion {
       rounding = std::max(rounding, roundingOf(region, grid_));
     }
     const auto curveOf = [&](std::uint32_t edge) { return curveOfSide(edges_[edge].source); };
-    return fittedCurves(faces_, grid_, curveOf, {.rounding = rounding, .reach = 4 * chord, .gap = 8 * tolerance_}, progress);
+    const double gap = 8 * tolerance_;
+    return fittedCurves(faces_, grid_, curveOf, {.rounding = rounding, .reach = 4 * chord, .gap = gap, .closed = gap},
+                        progress);
   }
 
   [[nodiscard]] Region lines() const { return straightRegion(faces_, grid_); }

@@ -15,6 +15,7 @@
 #include "geometry/planar/polygons/refusal.h"
 #include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/loop_checks.h"
+#include "geometry/planar/sums/shared_sides.h"
 #include "geometry/planar/sums/touching_arcs.h"
 #include "geometry/planar/winding/nesting.h"
 #include "geometry/planar/winding/snap_rounding.h"
@@ -212,8 +213,8 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
 /// A region that passed all checks.
 struct CheckedRegion {
   double tolerance;
-  Nesting nesting;                     ///< of its loops, flattened
-  std::optional<Region> divided = {};  ///< the same with arcs divided where they touch, if any do
+  Nesting nesting;  ///< of its loops, flattened
+  Region region;    ///< without shared curves, with arcs divided where they touch
 };
 
 CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
@@ -228,8 +229,9 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   }
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
-  std::optional<Region> divided = dividedWhereArcsTouch(region, tolerance, progress);
-  const std::vector<Loop> all = cornersOf(divided ? *divided : region, tolerance, confusion, name, progress);
+  Region drawn = withoutSharedCurves(region, progress).value_or(region);
+  if (auto divided = dividedWhereArcsTouch(drawn, tolerance, progress)) drawn = *std::move(divided);
+  const std::vector<Loop> all = cornersOf(drawn, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);
   if (!nesting.clear())
     if (const auto crossing = crossingOf(all, progress)) refuseCrossing(name, *crossing);
@@ -240,7 +242,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   refuseEmptyLoops(all, confusion, name);
   refuseCollapsed(nesting, all, extent.size(), name);
   refuseStrayHole(nesting, all, name);
-  return {tolerance, std::move(nesting), std::move(divided)};
+  return {tolerance, std::move(nesting), std::move(drawn)};
 }
 
 /// Without segments that have no length beyond the rounding of their coordinates, and so no direction: files end what they
@@ -278,8 +280,8 @@ double defaultTolerance(const Region& region) {
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,
                    const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
-  if (options.side == Approximation::Either || !hasCurves(region)) return checked.nesting.polygons(progress);
-  return flattenedBeside(checked.divided ? *checked.divided : region, checked.tolerance, options.side, progress);
+  if (options.side == Approximation::Either || !hasCurves(checked.region)) return checked.nesting.polygons(progress);
+  return flattenedBeside(checked.region, checked.tolerance, options.side, progress);
 }
 
 Polygons polygonsBeside(const SoundRegion& shape, Approximation side, const std::string& name, const Progress& progress,
@@ -291,13 +293,13 @@ Polygons polygonsBeside(const SoundRegion& shape, Approximation side, const std:
 SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
                         const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
-  const auto parts = hasCurves(region) ? checked.nesting.touchingParts(progress) : checked.nesting.parts();
-  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
-  SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
-  const std::vector<Path>& loops = checked.divided ? checked.divided->loops : region.loops;
+  const Region& drawn = checked.region;
+  const auto parts = hasCurves(drawn) ? checked.nesting.touchingParts(progress) : checked.nesting.parts();
+  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(drawn)};
+  SoundRegion sound{{}, checked.tolerance, !hasSplines(drawn)};
   for (const auto& [outer, holes] : *parts) {
-    sound.region.loops.push_back(withoutPoints(loops[outer], progress));
-    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(loops[hole], progress));
+    sound.region.loops.push_back(withoutPoints(drawn.loops[outer], progress));
+    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(drawn.loops[hole], progress));
   }
   return sound;
 }

@@ -79,6 +79,13 @@ double smallestDefault(std::span<const Region> regions) {
   return smallest;
 }
 
+bool hasLines(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(),
+                       [](const Segment& segment) { return std::holds_alternative<Line2>(segment); });
+  });
+}
+
 }  // namespace
 
 double weightOf(const RegionSumOptions& options, std::size_t i) {
@@ -133,7 +140,9 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
   }
   constexpr double wide = 50;
   // Lines and arcs that come of true ones are as they are.
-  if (curved && !hasCurves(result.region) && thicknessOf(result.region) < wide * tolerance)
+  const bool asDrawn =
+      hasCurves(result.region) && (!hasLines(result.region) || std::any_of(regions.begin(), regions.end(), hasLines));
+  if (curved && !asDrawn && thicknessOf(result.region) < wide * tolerance)
     result.warnings.push_back(
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",

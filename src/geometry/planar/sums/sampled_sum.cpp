@@ -22,7 +22,7 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
 }  // namespace
 
 SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const Progress& progress, Effort& effort)
-    : tolerance_(tolerance) {
+    : tolerance_(tolerance), inside_(inside) {
   const SnappedOperands operands = untangledTogether(pair, progress);
   a_ = std::move(pair.a);
   b_ = std::move(pair.b);
@@ -33,10 +33,21 @@ SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const 
   faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
 }
 
+// A ring of room between two arcs would fall to pieces where their polygons meet.
 std::optional<Region> SampledSum::curves(const Progress& progress) const {
+  return curvesClosing(inside_ == Inside::Hollow ? 0 : largestGap(), progress);
+}
+
+std::optional<Region> SampledSum::curvesInPieces(const Progress& progress) const {
+  if (inside_ != Inside::Hollow) return std::nullopt;
+  return curvesClosing(largestGap(), progress);
+}
+
+std::optional<Region> SampledSum::curvesClosing(double closed, const Progress& progress) const {
   const CurveFitting fitting{.rounding = std::max(roundingOf(a_, grid_), roundingOf(b_, grid_)),
                              .reach = 2 * (longestChord(a_) + longestChord(b_)),
-                             .gap = 4 * tolerance_};
+                             .gap = largestGap(),
+                             .closed = closed};
   const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
   return fittedCurves(faces_, grid_, curveOf, fitting, progress);
 }

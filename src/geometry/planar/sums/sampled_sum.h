@@ -21,12 +21,17 @@ class SampledSum {
 
   /// Nothing when the polygons are too coarse.
   [[nodiscard]] std::optional<Region> curves(const Progress&) const;
+  /// The same of what keeps out of the sum, with lines across gaps within the tolerance, where it may fall to pieces.
+  [[nodiscard]] std::optional<Region> curvesInPieces(const Progress&) const;
   [[nodiscard]] Region lines() const;
 
  private:
+  [[nodiscard]] std::optional<Region> curvesClosing(double closed, const Progress&) const;
+  [[nodiscard]] double largestGap() const { return 4 * tolerance_; }
   [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge&, double rounding) const;
 
   double tolerance_;
+  Inside inside_;
   SampledRegion a_, b_;
   Grid grid_;
   PairSources sources_;

@@ -1,0 +1,255 @@
+#include "geometry/planar/sums/shared_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "geometry/numeric/box_tree.h"
+#include "geometry/numeric/union_find.h"
+#include "geometry/planar/angles.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/polygons/sound_region.h"
+#include "geometry/planar/segment_box.h"
+
+namespace blossom::planar {
+namespace {
+
+/// A segment of a loop, or a part of one.
+struct BoundarySide {
+  Segment segment;
+  std::size_t next = 0;           ///< the side after it in its loop
+  std::vector<double> cuts = {};  ///< shares of a line or an arc, where others on it begin or end
+  bool isGone = false;
+};
+
+bool isNear(const Vec2& p, const Vec2& q, double rounding) { return (p - q).norm() <= rounding; }
+
+/// The share of a segment at which a point of it lies, if not at an end.
+std::optional<double> insideAt(const Line2& line, const Vec2& p, double rounding) {
+  const Vec2 along = line.to - line.from;
+  const double size = along.norm(), way = (p - line.from).dot(along) / size;
+  if (way <= rounding || way >= size - rounding) return std::nullopt;
+  return way / size;
+}
+std::optional<double> insideAt(const Arc2& arc, const Vec2& p, double rounding) {
+  const double turn = turnAlong(arc, p), least = rounding / arc.radius;
+  if (turn <= least || turn >= std::abs(arc.sweep) - least) return std::nullopt;
+  return turn / std::abs(arc.sweep);
+}
+
+bool runOnOneCurve(const Line2& a, const Line2& b, double rounding) {
+  const Vec2 along = a.to - a.from;
+  const double size = along.norm();
+  const auto off = [&](const Vec2& p) { return std::abs(cross(along, p - a.from)); };
+  return size > rounding && along.dot(b.to - b.from) < 0 && off(b.from) <= rounding * size && off(b.to) <= rounding * size;
+}
+bool runOnOneCurve(const Arc2& a, const Arc2& b, double rounding) {
+  return a.sweep * b.sweep < 0 && isNear(a.center, b.center, rounding) && std::abs(a.radius - b.radius) <= rounding;
+}
+
+/// Cuts both where the other one begins and ends on it. @returns whether there is such a place, or both have the same ends
+template <class Curve>
+bool cutByEachOther(const Curve& a, const Curve& b, double rounding, BoundarySide& sideA, BoundarySide& sideB) {
+  if (!runOnOneCurve(a, b, rounding)) return false;
+  const auto cut = [&](const Curve& curve, const Segment& other, BoundarySide& side) {
+    bool any = false;
+    for (const Vec2& end : {startPoint(other), endPoint(other)})
+      if (const auto share = insideAt(curve, end, rounding)) {
+        side.cuts.push_back(*share);
+        any = true;
+      }
+    return any;
+  };
+  const bool first = cut(a, sideB.segment, sideA), second = cut(b, sideA.segment, sideB);
+  return first || second ||
+         (isNear(startPoint(sideA.segment), endPoint(sideB.segment), rounding) &&
+          isNear(endPoint(sideA.segment), startPoint(sideB.segment), rounding));
+}
+
+/// The same curve the same way, as far as rounding goes.
+bool areEqual(const Spline2& a, const Spline2& b, double rounding) {
+  if (a.degree != b.degree || a.poles.size() != b.poles.size() || a.knots.size() != b.knots.size()) return false;
+  const auto place = [](const Spline2& s, std::size_t k) {
+    return (s.knots[k] - s.knots.front()) / (s.knots.back() - s.knots.front());
+  };
+  for (std::size_t k = 0; k < a.knots.size(); ++k)
+    if (!(std::abs(place(a, k) - place(b, k)) <= 1e-9)) return false;
+  for (std::size_t k = 0; k < a.poles.size(); ++k) {
+    const Vec3 &p = a.poles[k], &q = b.poles[k];
+    if (std::abs(p.z() / a.poles[0].z() - q.z() / b.poles[0].z()) > 1e-9) return false;
+    if (!isNear(p.head<2>() / p.z(), q.head<2>() / q.z(), rounding)) return false;
+  }
+  return true;
+}
+
+/// Both ways of one curve, from end to end.
+bool areOpposite(const Segment& a, const Segment& b, double rounding) {
+  if (a.index() != b.index() || !isNear(startPoint(a), endPoint(b), rounding) ||
+      !isNear(endPoint(a), startPoint(b), rounding))
+    return false;
+  if (std::holds_alternative<Line2>(a)) return true;
+  if (const auto* arc = std::get_if<Arc2>(&a)) {
+    const Arc2& other = std::get<Arc2>(b);
+    return runOnOneCurve(*arc, other, rounding) && std::abs(arc->sweep + other.sweep) * arc->radius <= 4 * rounding;
+  }
+  return areEqual(std::get<Spline2>(a), std::get<Spline2>(reversed(b)), rounding);
+}
+
+std::vector<Box2> boxesOf(const std::vector<BoundarySide>& sides) {
+  std::vector<Box2> boxes;
+  boxes.reserve(sides.size());
+  for (const BoundarySide& side : sides) boxes.push_back(boxAround(side.segment));
+  return boxes;
+}
+
+std::vector<BoundarySide> sidesOf(const Region& region) {
+  std::vector<BoundarySide> sides;
+  for (const Path& loop : region.loops) {
+    const std::size_t first = sides.size();
+    for (const Segment& segment : loop.segments) sides.push_back({segment, sides.size() + 1});
+    if (sides.size() > first) sides.back().next = first;
+  }
+  return sides;
+}
+
+/// Marks the cuts. @returns whether a curve is shared
+bool cutSides(std::vector<BoundarySide>& sides, double rounding, const Progress& progress) {
+  bool shared = false;
+  forEachNearPair<2>(boxesOf(sides), rounding, progress, [&](std::size_t i, std::size_t j) {
+    BoundarySide &a = sides[i], &b = sides[j];
+    if (a.segment.index() != b.segment.index()) return true;
+    if (const auto* line = std::get_if<Line2>(&a.segment))
+      cutByEachOther(*line, std::get<Line2>(b.segment), rounding, a, b);
+    else if (const auto* arc = std::get_if<Arc2>(&a.segment))
+      shared = cutByEachOther(*arc, std::get<Arc2>(b.segment), rounding, a, b) || shared;
+    else
+      shared = areOpposite(a.segment, b.segment, rounding) || shared;
+    return true;
+  });
+  return shared;
+}
+
+Segment partOf(const Segment& segment, double from, double to) {
+  if (const auto* line = std::get_if<Line2>(&segment)) {
+    const auto at = [&](double share) { return share == 1 ? line->to : Vec2(line->from + share * (line->to - line->from)); };
+    return Line2{at(from), at(to)};
+  }
+  Arc2 arc = std::get<Arc2>(segment);
+  arc.start += from * arc.sweep;
+  arc.sweep *= to - from;
+  return arc;
+}
+
+std::vector<BoundarySide> divided(const std::vector<BoundarySide>& sides) {
+  std::vector<BoundarySide> parts;
+  std::vector<std::size_t> firstPart;
+  for (const BoundarySide& side : sides) {
+    firstPart.push_back(parts.size());
+    std::vector<double> ends = side.cuts;
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end(), [](double a, double b) { return b - a < 1e-9; }), ends.end());
+    if (ends.empty()) {
+      parts.push_back({side.segment, 0});
+      continue;
+    }
+    ends.push_back(1);
+    double from = 0;
+    for (const double to : ends) {
+      parts.push_back({partOf(side.segment, from, to), 0});
+      from = to;
+    }
+  }
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const std::size_t last = (k + 1 < sides.size() ? firstPart[k + 1] : parts.size()) - 1;
+    for (std::size_t p = firstPart[k]; p < last; ++p) parts[p].next = p + 1;
+    parts[last].next = firstPart[sides[k].next];
+  }
+  return parts;
+}
+
+/// Takes opposite sides away. @returns the places where sides begin, those that come together as one
+UnionFind cancelOpposites(std::vector<BoundarySide>& sides, double rounding, const Progress& progress) {
+  UnionFind places(sides.size());
+  forEachNearPair<2>(boxesOf(sides), rounding, progress, [&](std::size_t i, std::size_t j) {
+    BoundarySide &a = sides[i], &b = sides[j];
+    if (a.isGone || b.isGone || !areOpposite(a.segment, b.segment, 4 * rounding)) return true;
+    a.isGone = b.isGone = true;
+    places.unite(i, b.next);
+    places.unite(a.next, j);
+    return true;
+  });
+  return places;
+}
+
+/// Angle from the first direction to the second one, clockwise, above 0.
+double clockwise(const Vec2& from, const Vec2& to) {
+  const double turn = inOneTurn(-std::atan2(cross(from, to), from.dot(to)));
+  return turn > 0 ? turn : fullTurn;
+}
+
+/// The way on at the end of each side that stays: the first one clockwise from the way back, which bounds what lies to the
+/// left. Nothing where two sides go on the same way.
+std::optional<std::vector<std::size_t>> waysOn(const std::vector<BoundarySide>& sides, UnionFind& places, double size) {
+  std::map<std::size_t, std::vector<std::size_t>> leaving;  // by place
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    if (!sides[k].isGone) leaving[places.find(k)].push_back(k);
+  const double chord = 1e-3 * size;
+  std::vector<std::size_t> on(sides.size(), sides.size());
+  std::vector<bool> taken(sides.size(), false);
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (sides[k].isGone) continue;
+    const std::vector<std::size_t>& ways = leaving[places.find(sides[k].next)];
+    if (ways.empty()) return std::nullopt;
+    on[k] = ways.front();
+    if (ways.size() > 1) {
+      const std::vector<Vec2> arriving = flatten(sides[k].segment, chord);
+      const Vec2 back = arriving[arriving.size() - 2] - arriving.back();
+      const auto turnTo = [&](std::size_t way) {
+        const std::vector<Vec2> points = flatten(sides[way].segment, chord);
+        return clockwise(back, points[1] - points[0]);
+      };
+      on[k] =
+          *std::min_element(ways.begin(), ways.end(), [&](std::size_t a, std::size_t b) { return turnTo(a) < turnTo(b); });
+    }
+    if (taken[on[k]]) return std::nullopt;
+    taken[on[k]] = true;
+  }
+  return on;
+}
+
+Region joinedLoops(const std::vector<BoundarySide>& sides, const std::vector<std::size_t>& on) {
+  Region region;
+  std::vector<bool> used(sides.size(), false);
+  for (std::size_t first = 0; first < sides.size(); ++first) {
+    if (sides[first].isGone || used[first]) continue;
+    Path& loop = region.loops.emplace_back();
+    loop.closed = true;
+    for (std::size_t k = first; !used[k]; k = on[k]) {
+      used[k] = true;
+      loop.segments.push_back(sides[k].segment);
+    }
+  }
+  return region;
+}
+
+}  // namespace
+
+std::optional<Region> withoutSharedCurves(const Region& region, const Progress& progress) {
+  if (region.loops.size() < 2 || !hasCurves(region)) return std::nullopt;
+  const Box2 box = looseBox(region.loops);
+  const double size = box.sizes().maxCoeff();
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double rounding = std::max(1e-9 * size, 1e-14 * farthest);
+  std::vector<BoundarySide> sides = sidesOf(region);
+  if (!cutSides(sides, rounding, progress)) return std::nullopt;
+  sides = divided(sides);
+  UnionFind places = cancelOpposites(sides, rounding, progress);
+  const auto on = waysOn(sides, places, size);
+  if (!on) return std::nullopt;
+  Region joined = joinedLoops(sides, *on);
+  return joined.loops.empty() ? std::nullopt : std::optional(std::move(joined));
+}
+
+}  // namespace blossom::planar

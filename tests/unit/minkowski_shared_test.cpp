@@ -1,0 +1,165 @@
+// Parts that lie against each other along curves, and what nearly fits into each other.
+#include <fmt/format.h>
+
+#include "geometry/planar/sums/region_sum.h"
+#include "geometry/planar/sums/set_operations.h"
+#include "support/regions.h"
+#include "support/segment_counts.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using std::numbers::pi;
+
+namespace {
+
+/// Equal arcs one after the other, from one point to another one.
+std::vector<Segment> arcsBetween(const Vec2& from, const Vec2& to, double sweep, int count) {
+  const Vec2 middle = (from + to) / 2, along = to - from;
+  const Vec2 left(-along.y(), along.x());
+  const Vec2 centre = middle + left / (2 * std::tan(sweep / 2));
+  const Vec2 out = from - centre;
+  std::vector<Segment> arcs;
+  for (int k = 0; k < count; ++k)
+    arcs.emplace_back(Arc2{centre, out.norm(), std::atan2(out.y(), out.x()) + k * sweep / count, sweep / count});
+  return arcs;
+}
+
+std::vector<Segment> splineBetween(const Vec2& from, const Vec2& to) {
+  const Vec2 b = from + Vec2(4, 6), c = to - Vec2(5, 7);
+  const auto pole = [](const Vec2& p) { return Vec3(p.x(), p.y(), 1); };
+  return {Spline2{3, {0, 0, 0, 0, 1, 1, 1, 1}, {pole(from), pole(b), pole(c), pole(to)}}};
+}
+
+void addLines(Path& path, const std::vector<Vec2>& points) {
+  for (std::size_t k = 1; k < points.size(); ++k) path.segments.emplace_back(Line2{points[k - 1], points[k]});
+}
+
+/// A square of 20 in two parts, on either side of curves from its lower to its upper edge.
+Region dividedSquare(const Vec2& low, const Vec2& high, const std::vector<Segment>& up, const std::vector<Segment>& same) {
+  Path left, right;
+  left.closed = right.closed = true;
+  addLines(left, {{0, 20}, {0, 0}, low});
+  left.segments.insert(left.segments.end(), up.begin(), up.end());
+  addLines(left, {high, {0, 20}});
+  addLines(right, {low, {20, 0}, {20, 20}, high});
+  for (auto each = same.rbegin(); each != same.rend(); ++each) right.segments.push_back(reversed(*each));
+  return {{left, right}};
+}
+
+Region placed(const Region& region, double angle, const Vec2& by) {
+  Eigen::Matrix<double, 2, 3> map;
+  map << std::cos(angle), -std::sin(angle), by.x(), std::sin(angle), std::cos(angle), by.y();
+  Region image = region;
+  for (Path& loop : image.loops) loop = transformed(loop, map);
+  return image;
+}
+
+Region opened(const Region& a, const Region& b) { return setOpening({a}, {b}).set.area; }
+
+/// What a disc of 1 does to a square of 20.
+void verifyIsSquare(const Region& parts, double within) {
+  const Region disc = circleRegion(1);
+  COMPARE_NEAR(area(minkowskiDifference(std::vector{parts, disc}).region), 324, within);
+  COMPARE_NEAR(area(minkowskiSum(std::vector{parts, disc}).region), 480 + pi, within);
+  const Region open = opened(parts, disc);
+  COMPARE_NEAR(area(open), 396 + pi, within);
+  QCOMPARE(open.loops.size(), std::size_t{1});
+}
+
+/// A ring whose hole, in arcs, is half filled by a part of its own.
+Region halfFilledRing(int arcsOfHole) {
+  Region region{{circleInArcs(20, 1), reversed(circleInArcs(15, arcsOfHole, Vec2::Zero(), 0.3)), {}}};
+  region.loops.back().closed = true;
+  region.loops.back().segments = {Arc2{Vec2::Zero(), 15, 0, pi}, Line2{{-15, 0}, {15, 0}}};
+  return region;
+}
+
+}  // namespace
+
+/// Both sides of a curve that two parts share are inside of the region.
+class MinkowskiSharedTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void partsOnBothSidesOfArcs() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> place(4, 16), turn(-2, 2), any(-3, 3), far(-500, 500);
+    for (int run = 0; run < 40; ++run) {
+      const Vec2 low(place(random), 0), high(place(random), 20);
+      double sweep = turn(random);
+      if (std::abs(sweep) < 0.2) sweep = 0.2;
+      const double height = (high - low).norm() / 2 * std::tan(std::abs(sweep) / 4);  // of the arc over its chord
+      if (height > 3.5) continue;
+      const Region parts =
+          dividedSquare(low, high, arcsBetween(low, high, sweep, 1 + run % 3), arcsBetween(low, high, sweep, 1 + run % 2));
+      verifyIsSquare(placed(parts, any(random), {far(random), far(random)}), 1e-8);
+    }
+  }
+
+  void partsOnBothSidesOfASpline() {
+    const Vec2 low(8, 0), high(12, 20);
+    const Region parts = dividedSquare(low, high, splineBetween(low, high), splineBetween(low, high));
+    verifyIsSquare(parts, 1e-9);
+    verifyIsSquare(placed(parts, 0.4, {70, -30}), 1e-9);
+  }
+
+  void partsOfARing() {
+    const Region disc = circleRegion(1);
+    // Of the ring of 20 and 15: its outside shrinks, the half disc that is free grows.
+    for (const int arcs : {1, 2, 4}) {
+      const Region region = halfFilledRing(arcs);
+      COMPARE_NEAR(area(minkowskiDifference(std::vector{region, disc}).region),
+                   361 * pi - (225 * pi / 2 + 15 * pi + 30 + pi), 1e-9);
+      // What is left free is the half disc of 14 below the line that the part's side is moved to.
+      const double half = std::acos(1 / 14.0);
+      COMPARE_NEAR(area(minkowskiSum(std::vector{region, disc}).region), 441 * pi - 196 * (half - std::sin(2 * half) / 2),
+                   1e-9);
+    }
+  }
+
+  // Chords of both circles meet: a ring that is hardly wider than the tolerance must not fall to pieces.
+  void narrowRoomIsOneRing() {
+    const Region ring{{circleInArcs(20, 1), reversed(circleInArcs(15, 1))}};
+    for (const double radius : {2.4, 2.49, 2.4975, 2.4985, 2.499, 2.4995}) {
+      const Region room = minkowskiDifference(std::vector{ring, circleRegion(radius)}).region;
+      COMPARE_NEAR(area(room), 35 * pi * (5 - 2 * radius), 1e-9);
+      QCOMPARE(room.loops.size(), std::size_t{2});
+      QCOMPARE(segmentCountOf<Line2>(room), std::size_t{0});
+    }
+  }
+
+  // A hole that nearly touches where the disc has to pass: the polygons of both meet there, the arcs do not.
+  void roomNarrowInOnePlaceKeepsItsArcs() {
+    for (const double gap : {0.0, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3}) {
+      const Region ring{{circleInArcs(6, 1), reversed(circleInArcs(3, 1, {1 - gap, 0}))}};
+      const Region room = minkowskiDifference(std::vector{ring, circleRegion(1)}).region;
+      COMPARE_NEAR(area(room), 9 * pi, 1e-6);
+      QVERIFY2(segmentCount(room) <= 20, qPrintable(QString::number(segmentCount(room))));
+    }
+  }
+
+  // Far from the origin directions are known to some digits only; parallel sides leave no arcs between them.
+  void convexShapesFarFromTheOrigin() {
+    const auto rounded = [](double width, double height, double r) {
+      return minkowskiSum(std::vector{rectangleRegion({0, 0}, {width - 2 * r, height - 2 * r}), circleRegion(r)}).region;
+    };
+    const Region wide = rounded(20, 10, 2), narrow = rounded(8, 6, 2);
+    for (const double scale : {1.0, 1e-3})
+      for (const double angle : {0.0, 0.7345, 2.1}) {
+        const auto at = [&](const Region& region, const Vec2& by) {
+          Region image = placed(region, angle, by);
+          for (Path& loop : image.loops)
+            loop = transformed(loop, (Eigen::Matrix<double, 2, 3>() << scale, 0, 0, 0, scale, 0).finished());
+          return image;
+        };
+        const Region sum = minkowskiSum(std::vector{at(wide, {1e6, 2e6}), at(narrow, {-1e6, 1e6})}).region;
+        QCOMPARE(segmentCountOf<Line2>(sum), std::size_t{4});
+        QCOMPARE(segmentCountOf<Arc2>(sum), std::size_t{4});
+        COMPARE_NEAR(area(sum) / (scale * scale), 28 * 16 - (4 - pi) * 16, 1e-6);  // corners of 4
+      }
+  }
+};
+
+BLOSSOM_TEST(MinkowskiSharedTest)
+#include "minkowski_shared_test.moc"

@@ -967,6 +967,10 @@
         <source>A target has three coordinates: x, y, z. One that is left empty stays, as in &quot;0, -20,&quot;.</source>
         <translation>Ein Ziel hat drei Koordinaten: x, y, z. Eine leere bleibt, wie in „0, -20,“.</translation>
     </message>
+    <message>
+        <source>%1 coordinates were typed; a target has three: x, y, z.</source>
+        <translation>%1 Koordinaten wurden getippt; ein Ziel hat drei: x, y, z.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::PullMode</name>
@@ -1228,6 +1232,10 @@
     <message>
         <source>Turn the axis of a twist</source>
         <translation>Achse einer Verdrehung schwenken</translation>
+    </message>
+    <message>
+        <source>selected edit: %1</source>
+        <translation>gewählte Bearbeitung: %1</translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1753,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>untitled</source>
         <translation>unbenannt</translation>
     </message>
+    <message>
+        <source>A sequence is exported alone.</source>
+        <translation>Eine Folge wird allein exportiert.</translation>
+    </message>
+    <message>
+        <source>Select the sequence or the shapes, not both.</source>
+        <translation>Die Folge oder die Formen auswählen, nicht beides.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentFiles</name>
@@ -1838,6 +1854,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Compute it in its properties.</source>
         <translation>In seinen Eigenschaften wird es berechnet.</translation>
+    </message>
+    <message>
+        <source>a step warns · %1</source>
+        <translation>ein Schritt warnt · %1</translation>
+    </message>
+    <message>
+        <source>Unfold it to see which.</source>
+        <translation>Aufklappen zeigt, welcher.</translation>
     </message>
 </context>
 <context>
@@ -2205,6 +2229,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>%1: choose a file with %2</source>
         <translation>%1: Datei wählen mit: %2</translation>
+    </message>
+    <message>
+        <source>%1 takes nothing hidden: %2.</source>
+        <translation>%1 nimmt nichts Verborgenes: %2.</translation>
+    </message>
+    <message>
+        <source>Show them first, or select in the tree what it is to take.</source>
+        <translation>Zuerst einblenden oder im Baum auswählen, was genommen werden soll.</translation>
     </message>
 </context>
 <context>

@@ -967,6 +967,10 @@
         <source>A target has three coordinates: x, y, z. One that is left empty stays, as in &quot;0, -20,&quot;.</source>
         <translation>목표에는 좌표가 셋 있어야 합니다: x, y, z. &quot;0, -20,&quot;처럼 비워 둔 좌표는 그대로입니다.</translation>
     </message>
+    <message>
+        <source>%1 coordinates were typed; a target has three: x, y, z.</source>
+        <translation>좌표를 %1개 입력했습니다. 목표에는 좌표가 셋 있습니다: x, y, z.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::PullMode</name>
@@ -1228,6 +1232,10 @@
     <message>
         <source>Turn the axis of a twist</source>
         <translation>비틀기의 축 돌리기</translation>
+    </message>
+    <message>
+        <source>selected edit: %1</source>
+        <translation>선택한 편집: %1</translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1753,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>untitled</source>
         <translation>제목 없음</translation>
     </message>
+    <message>
+        <source>A sequence is exported alone.</source>
+        <translation>시퀀스는 따로 내보냅니다.</translation>
+    </message>
+    <message>
+        <source>Select the sequence or the shapes, not both.</source>
+        <translation>시퀀스와 형상 중 하나만 선택하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentFiles</name>
@@ -1838,6 +1854,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Compute it in its properties.</source>
         <translation>속성에서 계산할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>a step warns · %1</source>
+        <translation>단계에 경고 있음 · %1</translation>
+    </message>
+    <message>
+        <source>Unfold it to see which.</source>
+        <translation>펼치면 어느 단계인지 보입니다.</translation>
     </message>
 </context>
 <context>
@@ -2205,6 +2229,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>%1: choose a file with %2</source>
         <translation>%1: %2이(가) 든 파일 고르기</translation>
+    </message>
+    <message>
+        <source>%1 takes nothing hidden: %2.</source>
+        <translation>%1: 숨긴 것은 쓰지 않습니다: %2.</translation>
+    </message>
+    <message>
+        <source>Show them first, or select in the tree what it is to take.</source>
+        <translation>먼저 표시하거나, 쓸 것을 트리에서 선택하십시오.</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@ class CommandStartTest : public WindowFixture {
   void theAnswerMayComeFromTheTree();
   void whereOneShapeFitsItIsTaken();
   void whereNothingFitsItIsSaid();
+  void whatIsHiddenIsNotTakenUnasked();
   void whatMakesTheMissingShapeIsOffered();
   void inputsAreInTheOrderOfTheSelection();
   void whatThereIsNoRoomForIsTold();
@@ -228,6 +229,28 @@ void CommandStartTest::whereNothingFitsItIsSaid() {
   run("feature.minkowski.morph-solid");
   QCOMPARE(window_->page().errors().message(),
            QStringLiteral("There is too little here for Morph as solid, which takes 2 of these: an outline of the solid."));
+}
+
+void CommandStartTest::whatIsHiddenIsNotTakenUnasked() {
+  std::vector<FeatureId> circles;
+  for (const double radius : {5.0, 10.0, 15.0}) circles.push_back(add("modeling.circle", {{"radius", radius}}));
+  for (const FeatureId& id : circles) {
+    Feature hidden = window_->page().document().at(id);
+    hidden.visible = false;
+    window_->session().commit(window_->page().document().with(hidden), QStringLiteral("Hide"));
+  }
+  waitUntilComputed();
+  selectNothing();
+  run("feature.minkowski.morph-solid");
+  const ErrorBar& told = window_->page().errors();
+  QVERIFY2(told.message().startsWith(QStringLiteral("Morph as solid takes nothing hidden")), qPrintable(told.message()));
+  QVERIFY(told.hint().contains(QStringLiteral("select in the tree")));
+  QCOMPARE(features(), std::size_t{3});
+  window_->tree().select(circles[0]);
+  window_->tree().select(circles[1], true);
+  run("feature.minkowski.morph-solid");
+  waitUntilComputed();
+  QCOMPARE(window_->page().document().at(last()).inputs, (std::vector<FeatureId>{circles[0], circles[1]}));
 }
 
 /// What makes the missing shape is at hand, that of the same plugin first.

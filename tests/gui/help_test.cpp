@@ -67,6 +67,8 @@ class HelpTest : public QObject {
   void escLeavesTheKeys();
   void commandsAreFoundByNameAndKeys();
   void theTourIsWalkedWithTheKeyboard();
+  void theTourGivesTheKeyboardBack();
+  void aStepOfTheTourThatIsPassedGivesWay();
   void theTourIsOfferedOnce();
   void textsAreReadableInBothThemes();
   void iconsTakeTheColoursOfTheTheme();
@@ -290,6 +292,55 @@ void HelpTest::theTourIsWalkedWithTheKeyboard() {
   tour.start();  // again from the menu
   QTest::keyClick(tour.bubble(), Qt::Key_Escape);
   QVERIFY(!tour.running());
+}
+
+/// To what had it or, when that is gone, to what keeps keys from going astray.
+void HelpTest::theTourGivesTheKeyboardBack() {
+  auto* const name = new QLineEdit(window_.get());
+  auto* const before = new QLineEdit(window_.get());
+  auto* const canvas = new QPushButton(window_.get());
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  Tour tour(window_.get(), {{"Here", "One.", [] { return static_cast<QWidget*>(nullptr); }}, {"There", "Two.", {}}},
+            [canvas] { return canvas; });
+  before->setFocus();
+  tour.start();
+  QTest::keyClick(tour.bubble(), Qt::Key_Escape);
+  QVERIFY(before->hasFocus());
+  tour.start();
+  before->hide();
+  QTest::mouseClick(tour.bubble()->findChild<QPushButton*>(QStringLiteral("link")), Qt::LeftButton);
+  QVERIFY(!tour.running());
+  QVERIFY(canvas->hasFocus());
+  // Who has gone on to something else keeps it.
+  tour.start();
+  name->setFocus();
+  tour.end();
+  QVERIFY(name->hasFocus());
+}
+
+/// It leaves the keyboard where it is: somebody is at work there.
+void HelpTest::aStepOfTheTourThatIsPassedGivesWay() {
+  auto* const name = new QLineEdit(window_.get());
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  bool begun = false;
+  const std::vector<TourStep> steps{{"Begin", "One.", {}, [&] { return begun; }}, {"Go on", "Two.", {}}};
+  Tour tour(window_.get(), steps);
+  tour.start();
+  tour.follow();
+  QCOMPARE(tour.bubble()->title(), QStringLiteral("Begin"));
+  name->setFocus();
+  begun = true;
+  tour.follow();
+  QCOMPARE(tour.bubble()->title(), QStringLiteral("Go on"));
+  QVERIFY(name->hasFocus());
+  tour.end();
+  tour.start();  // where there is something already, it begins with what comes after
+  QCOMPARE(tour.bubble()->title(), QStringLiteral("Go on"));
+  tour.end();
 }
 
 void HelpTest::theTourIsOfferedOnce() {

@@ -22,6 +22,7 @@ class MinkowskiDetailWindowTest : public WindowFixture {
   void theWholeComesAtRest();
   void theTimelineStaysWhereItIs();
   void timeAndFiguresAreThoseOfTheWhole();
+  void theTimeStaysThatOfTheFrame();
   void withinTheBudgetNothingIsCoarse();
 
  private:
@@ -155,6 +156,22 @@ void MinkowskiDetailWindowTest::timeAndFiguresAreThoseOfTheWhole() {
   QVERIFY(coarse() > 0);
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, from_ + QPoint(6, 48));
   waitUntilComputed();
+}
+
+/// From the first movement until all is computed, not the default of t, which the document does not hold.
+void MinkowskiDetailWindowTest::theTimeStaysThatOfTheFrame() {
+  const auto shownTime = [this] { return window_->properties().field(QStringLiteral("t"))->value().get<double>(); };
+  COMPARE_NEAR(shownTime(), 7.0 / 24, 1e-12);
+  take(-1);
+  for (int k = 1; k <= 6; ++k) {
+    moveBy(2, 4.0 * k);
+    COMPARE_NEAR(shownTime(), 7.0 / 24, 1e-12);
+  }
+  QVERIFY(coarse() > 0);
+  QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, from_ + QPoint(6, 24));
+  COMPARE_NEAR(shownTime(), 7.0 / 24, 1e-12);
+  waitUntilComputed();
+  COMPARE_NEAR(shownTime(), 7.0 / 24, 1e-12);
 }
 
 void MinkowskiDetailWindowTest::withinTheBudgetNothingIsCoarse() {

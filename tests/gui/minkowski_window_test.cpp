@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QFile>
 #include <QMessageBox>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -50,6 +51,8 @@ class MinkowskiWindowTest : public WindowFixture {
 
   void aMorphIsPlayedAndScrubbed();
   void framesAndAnimatedDrawingsAreExported();
+  void whatBlossomNumbersReplaceIsTold();
+  void aSequenceIsExportedAlone();
   void aControlShapeIsDraggedAndPutBack();
   void theDocumentIsSavedAndOpened();
   void anOpenOutlineIsRefusedAndTheDocumentLivesOn();
@@ -166,6 +169,32 @@ void MinkowskiWindowTest::blossomNumbersOfferNoPlay() {
   QTRY_VERIFY(!playback().playable());
   give(Value::array());
   QTRY_VERIFY(playback().playable());
+}
+
+/// For longer than the mouse rests; and t, which does not count beside them, is not offered.
+void MinkowskiWindowTest::whatBlossomNumbersReplaceIsTold() {
+  const QSignalSpy told(&window_->page(), &DocumentPage::announced);
+  const ParameterField* const t = window_->properties().field(QStringLiteral("t"));
+  QVERIFY(!t->isHidden());
+  for (auto* button : window_->properties().field(QStringLiteral("blossom"))->findChildren<QToolButton*>())
+    if (button->property("role") == QStringLiteral("add")) button->click();
+  waitUntilComputed();
+  const Value& set = window_->page().document().at(morph_).parameters;
+  QVERIFY(!set.at("blossom").empty() && !set.contains("frames"));
+  QVERIFY(!told.isEmpty() && told.last().at(0).toString().contains(QStringLiteral("is left out")));
+  QVERIFY(t->isHidden());
+  window_->session().undo();
+  waitUntilComputed();
+  QVERIFY(!t->isHidden());
+}
+
+/// In one file with other shapes it has no place, which is said, and not that no format takes it.
+void MinkowskiWindowTest::aSequenceIsExportedAlone() {
+  window_->tree().selectThese({window_->page().document().features().front()->id, morph_});
+  run("file.export");
+  QVERIFY(!window_->findChild<ExportDialog*>());
+  QCOMPARE(window_->errors().message(), QStringLiteral("A sequence is exported alone."));
+  QVERIFY(window_->errors().hint().contains(QStringLiteral("not both")));
 }
 
 /// The file dialog asks about the name that was chosen, which is not that of a frame.

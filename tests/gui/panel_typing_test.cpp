@@ -26,6 +26,7 @@ class PanelTypingTest : public PanelFixture {
   void exponentsStayInSight();
   void narrowNumbersStayTheirNumbers();
   void aWrongValueIsKeptOut();
+  void whatIsTakenBackIsNotWrong();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
   void optionalValuesAreCleared();
@@ -177,6 +178,20 @@ void PanelTypingTest::aWrongValueIsKeptOut() {
     QTest::keyClick(line, Qt::Key_Escape);
     QVERIFY(field(name)->problem().isEmpty());
     QCOMPARE(line->text(), displayText(field(name)->spec(), kept));
+  }
+}
+
+/// Undo within the line shows what is kept.
+void PanelTypingTest::whatIsTakenBackIsNotWrong() {
+  for (const auto& [name, wrong] : {std::pair("length", "-3"), std::pair("count", "21")}) {
+    auto* line = editor<QLineEdit>(name);
+    const QString kept = line->text();
+    type(line, QLatin1String(wrong));
+    QVERIFY(field(name)->problem().contains(QStringLiteral("kept")));
+    for (int k = 0; k < 3 && line->isModified(); ++k) QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(line->text(), kept);
+    QCOMPARE(field(name)->problem(), QString());
+    QVERIFY(!line->property("wrong").toBool());
   }
 }
 

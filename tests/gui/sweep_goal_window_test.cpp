@@ -129,7 +129,7 @@ void SweepGoalWindowTest::theSurfaceFollowsWhatIsTypedSoFar() {
   const auto picture = window_->page().tool()->standIn();
   QVERIFY(picture && picture->faces->GetLength() > before + 10);
   type(QStringLiteral(", 20, 5"));
-  QVERIFY2(hint().contains(QStringLiteral("three coordinates")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("4 coordinates were typed")), qPrintable(hint()));
 }
 
 void SweepGoalWindowTest::tabGoesToTheNextCoordinate() {

@@ -26,7 +26,10 @@ class SweepKeysWindowTest : public SweepFixture {
   void nothingComesBetweenADrag();
   void nothingComesBetweenAnOrbit();
   void keysAreForThePlaceUnderTheMouse();
+  void keysAreForThePlaceUnderTheMouseAfterEnterInAField();
   void keysStayInForceWhenSomethingElseIsSelected();
+  void theSelectedEditTellsItsOwnWay();
+  void nothingIsDraggedWhereTheSweepFails();
   void whereThePointIsIsTold();
   void aClickIsForTheView();
   void alongANormalThatFacesTheViewerThePointKeepsToTheMouse();
@@ -161,6 +164,70 @@ void SweepKeysWindowTest::keysAreForThePlaceUnderTheMouse() {
   QTRY_VERIFY(window_->view().hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_4);
   QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+}
+
+/// What is typed and not entered stays where it is typed.
+void SweepKeysWindowTest::keysAreForThePlaceUnderTheMouseAfterEnterInAField() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide(), other = from + QPoint(0, 60);
+  drag(from, from + QPoint(50, 10));
+  window_->tree().select(all("sweep.pull").front());
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  auto* const line = window_->properties().field(QStringLiteral("level"))->findChild<QLineEdit*>();
+  edit("level", "0");
+  QVERIFY(line->hasFocus());  // Tab and undo go on from there
+  hover(other);
+  QTRY_VERIFY(window_->view().hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_4);
+  QVERIFY2(hint().contains(QStringLiteral("not 4-fold")), qPrintable(hint()));  // which it was before the pull
+  QCOMPARE(line->text(), QStringLiteral("0"));
+
+  edit("level", "0");
+  QTest::keyClick(line, Qt::Key_1);
+  hover(other);
+  QVERIFY(line->hasFocus());
+  QCOMPARE(line->text(), QStringLiteral("10"));
+  QTest::keyClick(line, Qt::Key_Escape);
+}
+
+/// Not that of the keys, which are for the next one.
+void SweepKeysWindowTest::theSelectedEditTellsItsOwnWay() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_S);
+  drag(from, from + QPoint(50, 0));
+  hover(from + QPoint(0, 60));
+  key(Qt::Key_R);
+  key(Qt::Key_4);
+  window_->tree().select(all("sweep.pull").front());
+  QEvent leave(QEvent::Leave);
+  const auto idle = [&] {
+    QApplication::sendEvent(&window_->view(), &leave);
+    return hint().contains(QStringLiteral("selected edit: by scaling alone"));
+  };
+  QTRY_VERIFY2(idle(), qPrintable(hint()));
+  QVERIFY2(!hint().contains(QStringLiteral("turning")) && !hint().contains(QStringLiteral("copies")), qPrintable(hint()));
+  window_->tree().select(sweep_);
+  const auto ofKeys = [&] {
+    QApplication::sendEvent(&window_->view(), &leave);
+    return hint().contains(QStringLiteral("by turning alone")) && hint().contains(QStringLiteral("4 copies"));
+  };
+  QTRY_VERIFY2(ofKeys(), qPrintable(hint()));
+}
+
+void SweepKeysWindowTest::nothingIsDraggedWhereTheSweepFails() {
+  openSample("cylinder.json");
+  hover(onTheSide());
+  Feature failing = document().at(sweep_);
+  failing.parameters["mode"] = "no such mode";
+  window_->session().commit(document().with(failing), QStringLiteral("Break it"));
+  waitUntilComputed();
+  QVERIFY(window_->session().view(sweep_)->result->error);
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&window_->view(), &leave);
+  QVERIFY2(!hint().startsWith(QStringLiteral("Drag a place")), qPrintable(hint()));
 }
 
 void SweepKeysWindowTest::keysStayInForceWhenSomethingElseIsSelected() {

@@ -2,6 +2,7 @@
 
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
+#include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
 
 using namespace blossom;
@@ -24,6 +25,7 @@ class SweepMenuWindowTest : public SweepFixture {
   void theDragGoesOnWithThePullThatWasAdded();
   void theGrowthOfASelectedSweepHasAllSteps();
   void whatNothingSweepsIsNotPulled();
+  void aStepThatWarnsIsToldWhereItIsFoldedAway();
 
  private:
   void addByMenu(const char* command) {
@@ -117,6 +119,28 @@ void SweepMenuWindowTest::theDragGoesOnWithThePullThatWasAdded() {
   key(Qt::Key_W);
   drag(other, other + QPoint(40, 0));
   QCOMPARE(inputsOf(only("sweep.twist").id), std::vector<FeatureId>{pull});
+}
+
+/// A pull that moves nothing yet warns.
+void SweepMenuWindowTest::aStepThatWarnsIsToldWhereItIsFoldedAway() {
+  openSample("cylinder.json");
+  const auto told = [this](int role) {
+    return static_cast<DocumentModel*>(window_->tree().model())->indexOf(sweep_).data(role);
+  };
+  window_->tree().setFolded(sweep_, true);
+  QVERIFY(!told(DocumentModel::WarnedRole).toBool());
+  addByMenu("feature.sweep.pull");
+  QVERIFY(!window_->session().view(only("sweep.pull").id)->result->evaluated.warnings.empty());
+  window_->tree().setFolded(sweep_, true);
+  QVERIFY(told(DocumentModel::WarnedRole).toBool());
+  QVERIFY(told(DocumentModel::StateRole).toString().startsWith(QStringLiteral("a step warns")));
+  window_->tree().setFolded(sweep_, false);  // the row of the pull says it then
+  QVERIFY(!told(DocumentModel::WarnedRole).toBool());
+  QVERIFY(!told(DocumentModel::StateRole).toString().startsWith(QStringLiteral("a step warns")));
+  window_->tree().setFolded(sweep_, true);
+  window_->session().undo();
+  waitUntilComputed();
+  QVERIFY(!told(DocumentModel::WarnedRole).toBool());
 }
 
 void SweepMenuWindowTest::theGrowthOfASelectedSweepHasAllSteps() {

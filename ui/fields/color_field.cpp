@@ -23,6 +23,7 @@ ColorField::ColorField(const ParameterSpec& given, const Context& context, QWidg
   line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : tr("must be given"));
   setEditor(both);
   both->setFocusProxy(line_);
+  forgiveWhatIsTakenBack(line_);
   connect(swatch_, &QAbstractButton::clicked, this, &ColorField::choose);
   connect(line_, &QLineEdit::editingFinished, this, [this] {
     if (!line_->isModified()) return;

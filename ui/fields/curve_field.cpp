@@ -60,6 +60,7 @@ CurveField::CurveField(const ParameterSpec& given, const Context& outside, QWidg
   connect(editor_, &CurveEditor::changed, this, [this](const auto& points) { offer(toValue(points)); });
   connect(editor_, &CurveEditor::chosenChanged, this, &CurveField::showChosen);
   for (NumberLine* line : {t_, number_}) {
+    forgiveWhatIsTakenBack(line);
     connect(line, &QLineEdit::editingFinished, this, [this, line] {
       if (line->isModified()) typed();
     });

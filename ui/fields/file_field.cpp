@@ -34,6 +34,7 @@ FileField::FileField(const ParameterSpec& given, const Context& context, QWidget
   row->addWidget(browse);
   setEditor(both);
   both->setFocusProxy(line_);
+  forgiveWhatIsTakenBack(line_);
   setAcceptDrops(true);
   connect(browse, &QToolButton::clicked, this, &FileField::choose);
   connect(line_, &QLineEdit::editingFinished, this, [this] {

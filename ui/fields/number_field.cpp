@@ -23,6 +23,7 @@ NumberField::NumberField(const ParameterSpec& given, const Context& context, QWi
   line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : tr("must be given"));
   connect(line_, &QLineEdit::textEdited, this, &NumberField::tellResult);
   connect(line_, &QLineEdit::editingFinished, this, &NumberField::finish);
+  forgiveWhatIsTakenBack(line_);
   connect(line_, &NumberLine::stepped, this, &NumberField::step);
   connect(line_, &NumberLine::stepsEnded, this, [this] {
     if (ParameterField::editing()) offer(shown_);

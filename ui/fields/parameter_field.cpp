@@ -5,6 +5,7 @@
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QToolButton>
 
 #include "core/error.h"
@@ -121,9 +122,26 @@ void ParameterField::setValue(const Value& value) {
 
 QString ParameterField::problem() const { return problem_->isHidden() ? QString() : problem_->text(); }
 
-void ParameterField::setFault(const QString& text) { showProblem(text); }
+void ParameterField::setFault(const QString& text) {
+  showProblem(text);
+  refused_ = false;
+}
+
+// Undo within the line shows the value that is kept, which nothing is wrong with. The line may count as modified even so.
+void ParameterField::forgiveWhatIsTakenBack(QLineEdit* line) {
+  const auto kept = std::make_shared<QString>();
+  connect(line, &QLineEdit::textChanged, this, [line, kept](const QString& text) {
+    if (!line->isModified()) *kept = text;
+  });
+  connect(line, &QLineEdit::textEdited, this, [this, line, kept](const QString& text) {
+    if (!refused_ || text != *kept) return;
+    line->setModified(false);
+    showProblem({});
+  });
+}
 
 void ParameterField::showProblem(const QString& text) {
+  refused_ = !text.isEmpty();
   if (problem_->text() == text && problem_->isHidden() == text.isEmpty()) return;
   problem_->setText(text);
   problem_->setVisible(!text.isEmpty());

@@ -13,6 +13,7 @@
 
 class QLabel;
 class QGridLayout;
+class QLineEdit;
 class QToolButton;
 class QMenu;
 
@@ -104,6 +105,8 @@ class ParameterField : public QWidget {
   void offer(const Value&, bool preview = false);
   void offerText(const QString&);
   void showProblem(const QString&);
+  /// Forgets why what is typed in a line of the editor was refused, as soon as it is taken back there.
+  void forgiveWhatIsTakenBack(QLineEdit*);
   /// Shows a line in a calm colour: the value of an expression.
   void showNote(const QString&);
   [[nodiscard]] FieldLabel& caption() const { return *caption_; }
@@ -127,6 +130,7 @@ class ParameterField : public QWidget {
   Context context_;
   Value value_;
   bool previewing_ = false;
+  bool refused_ = false;  ///< the problem is that of what is typed, not of the value
   bool labelled_ = true;
   QGridLayout* grid_;
   FieldLabel* caption_;

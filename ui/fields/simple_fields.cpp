@@ -78,6 +78,7 @@ TextField::TextField(const ParameterSpec& given, const Context& context, QWidget
   line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : QString());
   setEditor(line_);
+  forgiveWhatIsTakenBack(line_);
   // A text is taken as it is written, with blanks at its ends.
   connect(line_, &QLineEdit::editingFinished, this, [this] {
     if (!line_->isModified()) return;

@@ -43,6 +43,7 @@ VectorField::VectorField(const ParameterSpec& given, const Context& outside, QWi
     row->addWidget(name);
     row->addWidget(line, 1);
     connect(line, &QLineEdit::editingFinished, this, [this, axis] { finish(axis); });
+    forgiveWhatIsTakenBack(line);
     connect(line, &NumberLine::stepped, this,
             [this, axis](double steps, Qt::KeyboardModifiers modifiers) { step(axis, steps, modifiers); });
     connect(line, &NumberLine::stepsEnded, this, [this] {

@@ -13,7 +13,8 @@ namespace blossom::ui {
 HelpMenu::HelpMenu(const App& app, Commands& commands, QWidget* window)
     : QObject(window), app_(app), commands_(commands), window_(window) {}
 
-void HelpMenu::addTo(QMenu& menu, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour) {
+void HelpMenu::addTo(QMenu& menu, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour,
+                     std::function<QWidget*()> home) {
   const QString group = tr("Help");
   const auto add = [&](const CommandSpec& spec, std::function<void()> go) {
     menu.addAction(commands_.add(spec, std::move(go)));
@@ -33,8 +34,8 @@ void HelpMenu::addTo(QMenu& menu, std::function<std::string()> selectedType, std
   add({"help.mouse-and-keys", group, "keyboard", tr("Mouse and &keys"), tr("How to move around, and every key."), {}},
       [this] { openManual(QStringLiteral("keyboard.md")); });
   add({"help.tour", group, "tour", tr("&Tour"), tr("A walk through the window in four steps."), {}},
-      [this, tour = std::move(tour)] {
-        auto* walk = new Tour(window_, tour());
+      [this, tour = std::move(tour), home = std::move(home)] {
+        auto* walk = new Tour(window_, tour(), home);
         connect(walk, &Tour::ended, walk, &QObject::deleteLater);
         walk->start();
       });

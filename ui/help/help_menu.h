@@ -21,8 +21,9 @@ class HelpMenu : public QObject {
   HelpMenu(const App&, Commands&, QWidget* window);
 
   /// Adds the menu. `selectedType` returns the selected feature type, empty when there is none; `tour` returns the steps of
-  /// the tour.
-  void addTo(QMenu&, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour);
+  /// the tour; `home` what has the keyboard where nothing else asks for it.
+  void addTo(QMenu&, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour,
+             std::function<QWidget*()> home);
   /// Opens the manual at a page.
   ManualWindow& openManual(const QString& page, const QString& anchor = {});
 

@@ -15,7 +15,8 @@ const QString shownKey = QStringLiteral("tour/shown");
 
 }  // namespace
 
-Tour::Tour(QWidget* window, std::vector<TourStep> steps) : QObject(window), window_(window), all_(std::move(steps)) {}
+Tour::Tour(QWidget* window, std::vector<TourStep> steps, std::function<QWidget*()> home)
+    : QObject(window), window_(window), all_(std::move(steps)), home_(std::move(home)) {}
 
 Tour::~Tour() {
   delete bubble_;
@@ -33,6 +34,7 @@ void Tour::start() {
   QSettings().setValue(shownKey, true);  // also when it is left half-way
   before_ = QApplication::focusWidget();
   step_ = 0;
+  skipPassed();
   frame_ = new TourFrame(window_);
   bubble_ = new TourBubble(window_);
   connect(bubble_, &TourBubble::nextWanted, this, &Tour::next);
@@ -40,6 +42,7 @@ void Tour::start() {
   connect(bubble_, &TourBubble::endWanted, this, &Tour::end);
   window_->installEventFilter(this);
   show();
+  bubble_->takeFocus();
 }
 
 void Tour::next() {
@@ -47,25 +50,46 @@ void Tour::next() {
   if (step_ + 1 >= all_.size()) return end();
   ++step_;
   show();
+  bubble_->takeFocus();
 }
 
 void Tour::back() {
   if (!running() || step_ == 0) return;
   --step_;
   show();
+  bubble_->takeFocus();
+}
+
+void Tour::follow() {
+  if (!running()) return;
+  const std::size_t before = step_;
+  skipPassed();
+  if (step_ != before) show();
+}
+
+/// There is always one that is shown.
+void Tour::skipPassed() {
+  while (step_ + 1 < all_.size() && all_[step_].isPassed && all_[step_].isPassed()) ++step_;
 }
 
 void Tour::end() {
   if (!running()) return;
   window_->removeEventFilter(this);
+  const bool hadKeys = bubble_->isAncestorOf(window_->focusWidget());
   bubble_->hide();
   frame_->hide();
   bubble_->deleteLater();  // may be the sender
   frame_->deleteLater();
   bubble_ = nullptr;
   frame_ = nullptr;
-  if (before_) before_->setFocus();
+  if (hadKeys) giveKeysBack();
   emit ended();
+}
+
+/// Left to Qt they would go to whatever comes next in the window, such as a name that is typed over then.
+void Tour::giveKeysBack() {
+  QWidget* const to = before_ && before_->isVisible() ? before_.data() : home_ ? home_() : nullptr;
+  if (to) to->setFocus();
 }
 
 void Tour::show() {
@@ -76,7 +100,6 @@ void Tour::show() {
   frame_->raise();
   bubble_->show();
   bubble_->raise();
-  bubble_->takeFocus();
 }
 
 QRect Tour::targetRect() const {

@@ -129,7 +129,10 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
     }
     const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);
     const std::size_t wanted = start.missing->minimum - start.has;
-    if (fitting.size() < wanted) return tellNothingFits(type, *start.missing);
+    if (fitting.size() < wanted) {
+      const std::vector<FeatureId> hidden = hiddenFeatures(page.session(), *start.missing, start.inputs);
+      return fitting.size() + hidden.size() < wanted ? tellNothingFits(type, *start.missing) : tellHidden(type, hidden);
+    }
     chosen = start.inputs;
     if (fitting.size() == wanted) {
       chosen.insert(chosen.end(), fitting.begin(), fitting.end());
@@ -197,6 +200,17 @@ void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& mis
     page_->errors().offer(registryText(maker->title), [this, maker] { add(*maker, Value::object()); });
   if (type.inputs.size() != 1 || missing.minimum != 1) return;
   page_->errors().offer(tr("Import a file…"), [this, &type] { addFromFile(type); });
+}
+
+/// What nobody sees is not taken unasked.
+void FeatureMenus::tellHidden(const FeatureType& type, const std::vector<FeatureId>& hidden) {
+  QStringList names;
+  for (const FeatureId& id : hidden) names << qt(shownName(page_->document().at(id)));
+  page_->showError(
+      Error(ErrorCode::InvalidInput,
+            tr("%1 takes nothing hidden: %2.").arg(registryText(type.title), names.join(QStringLiteral(", "))).toStdString(),
+            tr("Show them first, or select in the tree what it is to take.").toStdString()));
+  page_->errors().untilChange();
 }
 
 void FeatureMenus::addFromFile(const FeatureType& type) {

@@ -45,6 +45,7 @@ class FeatureMenus : public QObject {
   /// Adds a feature that takes what is chosen so far, or asks for more.
   void begin(const FeatureType&, std::vector<FeatureId> chosen, const Value& preset);
   void tellNothingFits(const FeatureType&, const InputSpec& missing);
+  void tellHidden(const FeatureType&, const std::vector<FeatureId>& hidden);
   void tellLeftOut(const FeatureType&, std::size_t taken, const std::vector<FeatureId>& left);
   [[nodiscard]] std::vector<std::shared_ptr<const FeatureType>> makersOf(const InputSpec&, const FeatureType& user,
                                                                          std::size_t count) const;

@@ -199,6 +199,16 @@ std::vector<FeatureId> fittingFeatures(const Session& session, const InputSpec& 
   return fitting.empty() ? others : fitting;
 }
 
+std::vector<FeatureId> hiddenFeatures(const Session& session, const InputSpec& spec, const std::vector<FeatureId>& taken) {
+  std::vector<FeatureId> hidden;
+  for (const auto& feature : session.document().features()) {
+    const Shape* shape = session.shape(feature->id);
+    const bool there = !feature->visible && !feature->suppressed && shape && !shape->empty();
+    if (there && fits(spec, *shape) && !contains(taken, feature->id)) hidden.push_back(feature->id);
+  }
+  return hidden;
+}
+
 QString wantedShape(const InputSpec& spec) {
   if (!spec.asks.empty()) return registryText(spec.asks);
   return spec.kinds.empty() ? FeatureStartTexts::tr("a shape") : qt(kindNames(spec.kinds, true));

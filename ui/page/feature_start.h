@@ -34,6 +34,9 @@ std::vector<FeatureId> leftOut(const Session&, const FeatureType&, const Feature
 /// the results of others.
 std::vector<FeatureId> fittingFeatures(const Session&, const InputSpec&, const std::vector<FeatureId>& taken);
 
+/// Hidden ones that it would accept as well, were they shown or selected.
+std::vector<FeatureId> hiddenFeatures(const Session&, const InputSpec&, const std::vector<FeatureId>& taken);
+
 /// "Choose a solid to round", or "Choose a solid or region to combine (2 of 2)".
 QString questionFor(const FeatureType&, const FeatureStart&);
 /// "a solid to round"; of inputs that do not say what they ask for, the names of the kinds that they accept.

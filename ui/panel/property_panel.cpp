@@ -5,10 +5,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/import_feature.h"
 #include "app/reference_page.h"
 #include "core/error.h"
 #include "document/named_numbers.h"
+#include "ui/controls/resting_line.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/registry_text.h"
 #include "ui/look/text.h"
@@ -39,17 +39,6 @@ QLabel* title(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// What is of no use beside the values of other fields says nothing. An import shows the options of the format that its file
-/// has, and not those of the others.
-bool saysAnything(const ParameterSpec& spec, const FeatureType& type, const Feature& feature,
-                  const FormatRegistry& formats) {
-  if (!applies(spec, type.parameters, feature.parameters)) return false;
-  if (feature.type != "exchange.import") return true;
-  const auto file = feature.parameters.find("file");
-  const bool named = file != feature.parameters.end() && file->is_object();
-  return importUses(formats, spec.name, named ? file->value("path", std::string()) : std::string());
-}
-
 }  // namespace
 
 PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
@@ -59,6 +48,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
   setFocusPolicy(Qt::NoFocus);
+  restAfterEnter(this);
   buildColumn();
   connect(&session, &Session::documentChanged, this, [this] { show(shown_); });
   connect(&session, &Session::viewsChanged, this, &PropertyPanel::followViews);

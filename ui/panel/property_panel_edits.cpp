@@ -85,7 +85,8 @@ Feature PropertyPanel::changed(const std::string& parameter, const Value& value)
   return feature;
 }
 
-/// Something else was left out, so that what is set has an effect.
+/// Something else was left out, so that what is set has an effect. The row that comes under the mouse tells about itself at
+/// once: this has to stay for longer.
 void PropertyPanel::tellWhatGaveWay(const ParameterSpec& set, const Value& before) {
   const Value& now = session_.document().at(shown_).parameters;
   const std::string& other = set.name == type_->playedBy.parameter ? type_->playedBy.excludedBy : type_->playedBy.parameter;
@@ -95,7 +96,7 @@ void PropertyPanel::tellWhatGaveWay(const ParameterSpec& set, const Value& befor
     spec.name = std::move(written);
     return registryText(label(spec));
   };
-  emit hint(tr("%1 is left out: it does not go with %2 · Undo brings it back").arg(name(other), name(set.name)));
+  emit session_.noted(tr("%1 is left out: it does not go with %2 · Undo brings it back").arg(name(other), name(set.name)));
 }
 
 void PropertyPanel::preview(ParameterField* field, const Value& value) {

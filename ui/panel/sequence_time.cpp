@@ -47,8 +47,11 @@ double SequenceTime::timeNow(const std::vector<double>& times) const {
 
 std::optional<double> SequenceTime::shownBy(const ParameterField& field, const FeatureView* view) {
   const std::vector<double>* times = timesFor(field, view);
-  lastField_ = times ? &field : nullptr;
-  if (!times) return std::nullopt;
+  if (!times) {
+    if (lastField_ == &field) lastField_ = nullptr;  // others are asked for as well, and have nothing to do with it
+    return std::nullopt;
+  }
+  lastField_ = &field;
   lastTimes_ = *times;
   return timeNow(lastTimes_);
 }

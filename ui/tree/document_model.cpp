@@ -59,6 +59,7 @@ std::vector<NestedRow> DocumentModel::wantedRows() const {
 
 void DocumentModel::refreshState() {
   std::erase_if(shown_, [this](const auto& entry) { return !session_.document().contains(entry.first); });
+  aboveTrouble_ = rowsAboveTrouble();
   std::vector<int> changed;
   for (std::size_t row = 0; row < rows_.size(); ++row)
     if (renew(row)) changed.push_back(static_cast<int>(row));
@@ -68,17 +69,28 @@ void DocumentModel::refreshState() {
 // A shape that has come may tell that an input stays beside its result, so that it is no step.
 void DocumentModel::refreshRows(const std::set<FeatureId>& features) {
   if (wantedRows() != rows_) return refresh();
+  const std::set<FeatureId> before = std::exchange(aboveTrouble_, rowsAboveTrouble());
+  const auto concerned = [&](const FeatureId& id) {
+    return features.contains(id) || before.contains(id) != aboveTrouble_.contains(id);
+  };
   std::vector<int> changed;
   for (std::size_t row = 0; row < rows_.size(); ++row)
-    if (features.contains(rows_[row].feature->id) && renew(row)) changed.push_back(static_cast<int>(row));
+    if (concerned(rows_[row].feature->id) && renew(row)) changed.push_back(static_cast<int>(row));
   tell(changed);
 }
 
 /// False when the row shows what it showed before.
 bool DocumentModel::renew(std::size_t row) {
   const Feature& feature = *rows_[row].feature;
-  Shown now{rows_[row].feature, stateOf(feature), remedyOf(feature), iconOf(feature), pending(feature),
-            failed(feature),    warned(feature),  rows_[row].steps,  rows_[row].depth};
+  Shown now{rows_[row].feature,
+            stateOf(feature),
+            remedyOf(feature),
+            iconOf(feature),
+            pending(feature),
+            failed(feature),
+            warned(feature) || hidesTrouble(feature),
+            rows_[row].steps,
+            rows_[row].depth};
   Shown& before = shown_[feature.id];
   if (now == before) return false;
   before = std::move(now);
@@ -195,7 +207,13 @@ void DocumentModel::unfoldTo(const FeatureId& id) {
 
 bool DocumentModel::computing(const Feature& feature) const { return !feature.suppressed && session_.awaited(feature.id); }
 
+/// In front, for the end of a long line is not seen.
 QString DocumentModel::stateOf(const Feature& feature) const {
+  const QString own = ownStateOf(feature);
+  return hidesTrouble(feature) && !failed(feature) ? tr("a step warns · %1").arg(own) : own;
+}
+
+QString DocumentModel::ownStateOf(const Feature& feature) const {
   if (feature.suppressed) return tr("suppressed");
   if (computing(feature)) return tr("computing…");
   if (session_.cancelled(feature.id)) return tr("cancelled");
@@ -220,6 +238,7 @@ QString DocumentModel::tipOf(const Feature& feature) const {
   const auto view = session_.view(feature.id);
   if (view && !view->result->error && !feature.suppressed)
     for (const std::string& warning : view->result->evaluated.warnings) lines << shownWarning(warning);
+  if (hidesTrouble(feature)) lines << tr("Unfold it to see which.");
   return lines.join(u'\n');
 }
 
@@ -245,6 +264,21 @@ bool DocumentModel::warned(const Feature& feature) const {
   return view && !view->result->evaluated.warnings.empty();
 }
 
+bool DocumentModel::hidesTrouble(const Feature& feature) const {
+  return aboveTrouble_.contains(feature.id) && !unfolded_.contains(feature.id);
+}
+
+// A step comes after the row that it is a step of: from the end, all below a row has been seen.
+std::set<FeatureId> DocumentModel::rowsAboveTrouble() const {
+  std::set<FeatureId> above;
+  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+    const Feature& feature = *row->feature;
+    const bool warns = !feature.suppressed && warned(feature);
+    if (!row->parent.empty() && (warns || failed(feature) || above.contains(feature.id))) above.insert(row->parent);
+  }
+  return above;
+}
+
 bool DocumentModel::pending(const Feature& feature) const { return !session_.view(feature.id) || computing(feature); }
 
 QVariant DocumentModel::data(const QModelIndex& index, int role) const {
@@ -268,7 +302,7 @@ QVariant DocumentModel::data(const QModelIndex& index, int role) const {
     case FailedRole:
       return failed(feature);
     case WarnedRole:
-      return warned(feature);
+      return warned(feature) || hidesTrouble(feature);
     case PendingRole:
       return pending(feature);
     case IconRole:

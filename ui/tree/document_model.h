@@ -26,10 +26,10 @@ class DocumentModel : public QAbstractListModel {
     VisibleRole,
     SuppressedRole,
     PendingRole,
-    WarnedRole,
-    DepthRole,  ///< of a step, how far it is indented
-    StepsRole,  ///< rows of its own steps follow
-    FoldedRole  ///< which are not shown
+    WarnedRole,  ///< itself, or a step that is folded away under it
+    DepthRole,   ///< of a step, how far it is indented
+    StepsRole,   ///< rows of its own steps follow
+    FoldedRole   ///< which are not shown
   };
 
   explicit DocumentModel(Session&, QObject* parent = nullptr);
@@ -73,6 +73,10 @@ class DocumentModel : public QAbstractListModel {
   };
   [[nodiscard]] bool failed(const Feature&) const;
   [[nodiscard]] bool warned(const Feature&) const;
+  /// Whether a step that is folded away under it fails or warns.
+  [[nodiscard]] bool hidesTrouble(const Feature&) const;
+  [[nodiscard]] std::set<FeatureId> rowsAboveTrouble() const;
+  [[nodiscard]] QString ownStateOf(const Feature&) const;
   [[nodiscard]] bool pending(const Feature&) const;
   void refreshState();
   void refreshRows(const std::set<FeatureId>&);
@@ -87,6 +91,7 @@ class DocumentModel : public QAbstractListModel {
   std::vector<NestedRow> rows_;
   std::map<FeatureId, Shown> shown_;
   std::set<FeatureId> unfolded_, foldedAway_;
+  std::set<FeatureId> aboveTrouble_;  ///< rows with a step that fails or warns, however deep
 };
 
 }  // namespace blossom::ui

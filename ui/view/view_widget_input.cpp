@@ -14,6 +14,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/controls/resting_line.h"
 #include "ui/look/character_key.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
@@ -27,9 +28,9 @@ namespace {
 
 /// What is typed there is not to go astray because the mouse moves.
 bool takesTyping(const QWidget* widget) {
-  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
-         qobject_cast<const QComboBox*>(widget) || qobject_cast<const QTextEdit*>(widget) ||
-         qobject_cast<const QPlainTextEdit*>(widget);
+  if (const auto* line = qobject_cast<const QLineEdit*>(widget)) return !rests(*line);
+  return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget);
 }
 
 bool isPartMode(PickMode mode) { return mode != PickMode::Feature && mode != PickMode::None; }

@@ -57,6 +57,15 @@ std::vector<std::filesystem::path> framesThere(const Session& session, const std
   return there;
 }
 
+/// What is together in one file has one kind, and a sequence has none with others.
+bool mixesSequence(const Session& session, const ExportScope& scope) {
+  if (scope.features.size() < 2) return false;
+  return std::any_of(scope.features.begin(), scope.features.end(), [&](const FeatureId& id) {
+    const Shape* const shape = session.shape(id);
+    return shape && shape->kind() == ShapeKind::Sequence;
+  });
+}
+
 }  // namespace
 
 bool DocumentExport::mayReplace(const std::vector<std::filesystem::path>& there) const {
@@ -103,8 +112,11 @@ void DocumentExport::choose(DocumentPage& page) {
   if (scopes.empty())
     return page.showError(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
                                 "Select a feature that has been computed without an error."));
-  if (std::none_of(scopes.begin(), scopes.end(), writable))
-    return page.showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."));
+  const bool none = std::none_of(scopes.begin(), scopes.end(), writable);
+  if (none && mixesSequence(page.session(), scopes.front()))
+    return page.showError(Error(ErrorCode::OutputNotSupported, tr("A sequence is exported alone.").toStdString(),
+                                tr("Select the sequence or the shapes, not both.").toStdString()));
+  if (none) return page.showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."));
   auto* dialog = new ExportDialog(*app_.formats, std::move(scopes), window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, &page, [this, dialog, &page] {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/help/help_menu.h"
+#include "ui/help/tour.h"
 #include "ui/jobs/log_and_jobs.h"
 #include "ui/look/icons.h"
 #include "ui/look/preferences.h"
@@ -159,7 +160,7 @@ void MainWindow::buildHelpMenu() {
         const FeatureId current = tree().current();
         return current.empty() ? current : page().document().at(current).type;
       },
-      [this] { return windowTour(*this); });
+      [this] { return windowTour(*this); }, [this]() -> QWidget* { return &view(); });
 }
 
 void MainWindow::buildToolBar() {
@@ -184,6 +185,7 @@ void MainWindow::buildToolBar() {
 
 void MainWindow::followState() {
   if (actionState(page()) != actionsShow_) refreshActions();
+  if (auto* tour = findChild<Tour*>(QString(), Qt::FindDirectChildrenOnly)) tour->follow();
 }
 
 void MainWindow::refreshActions() {

@@ -3,6 +3,7 @@
 #include <QKeySequence>
 
 #include "ui/files/start_page.h"
+#include "ui/page/page.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tree/document_tree.h"
 #include "ui/view/view_widget.h"
@@ -21,7 +22,7 @@ std::vector<TourStep> windowTour(MainWindow& window) {
       {Tour::tr("Begin with a sample"),
        Tour::tr("The start page opens samples and your last documents with one click. Files can be dropped anywhere on the "
                 "window."),
-       startOrView},
+       startOrView, [&window] { return !window.page().document().features().empty(); }},
       {Tour::tr("The document"),
        Tour::tr("Every feature stands here, above what is made from it, with what it came to below its name. A failing "
                 "feature says why; the rest of the document lives on."),

@@ -28,6 +28,15 @@ std::optional<int> levelOfKey(int key, int level) {
 
 }  // namespace
 
+PullMode::PullMode(const MotionEdit& edit) {
+  std::visit([this](const auto& each) { symmetry_ = each.symmetry, level_ = each.level; }, edit);
+  const auto* const pull = std::get_if<MotionPull>(&edit);
+  twists_ = !pull;
+  if (!pull) return;
+  shares_ = {pull->weights.translate, pull->weights.rotate, pull->weights.scale};
+  shares_[lastShare()] = 1;
+}
+
 std::optional<PullMode::Share> PullMode::shareOfKey(int key) {
   switch (key) {
     case Qt::Key_T:

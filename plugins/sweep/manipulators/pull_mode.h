@@ -12,6 +12,10 @@ namespace blossom::sweep {
 class PullMode {
   Q_DECLARE_TR_FUNCTIONS(blossom::sweep::PullMode)
  public:
+  PullMode() = default;
+  /// What an edit that is there does; of a twist, whose axis is its own, the axis is left out.
+  explicit PullMode(const MotionEdit&);
+
   /// The axis of a twist, through the trajectory: along it, towards the point, or across both.
   enum class Axis { Tangent, Arm, Across };
 

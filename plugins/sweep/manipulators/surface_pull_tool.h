@@ -79,6 +79,11 @@ class SurfacePullTool : public ui::HandleTool {
   void stopTyping();
 
   // What is said and drawn.
+  [[nodiscard]] QString idleHint() const;
+  /// How the selected edit goes, whatever is chosen for the next one; empty when none is selected.
+  [[nodiscard]] QString selectedText() const;
+  /// Nothing is seen of a surface whose sweeps fail.
+  [[nodiscard]] bool isShown() const;
   [[nodiscard]] QString typingHint() const;
   [[nodiscard]] QString typingProblem() const;
   [[nodiscard]] QString heldHint() const;

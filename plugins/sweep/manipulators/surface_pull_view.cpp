@@ -1,6 +1,7 @@
 // What the surface pull tool says and draws.
 #include <vtkProp.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -48,11 +49,38 @@ QString SurfacePullTool::hint() const {
   if (entry_) return typingHint();
   if (held() && edit_) return heldHint();
   if (hovered() && under_) return hoverHint();
-  // What is in force, before the mouse is where it counts.
-  return joined(
-      {mode_.twists() ? tr("Drag a place on the surface to twist it") : tr("Drag a place on the surface to pull it"),
-       mode_.twists() || mode_.isPlain() ? QString() : mode_.wayText(), mode_.symmetryText(), mode_.levelText(),
-       chosenHint()});
+  return idleHint();
+}
+
+/// What is in force, before the mouse is where it counts.
+QString SurfacePullTool::idleHint() const {
+  if (!isShown()) return {};
+  QStringList parts{mode_.twists() ? tr("Drag a place on the surface to twist it")
+                                   : tr("Drag a place on the surface to pull it")};
+  if (const QString selected = selectedText(); !selected.isEmpty())
+    parts << selected;
+  else
+    parts << (mode_.twists() || mode_.isPlain() ? QString() : mode_.wayText()) << mode_.symmetryText() << mode_.levelText();
+  return joined(parts << chosenHint());
+}
+
+QString SurfacePullTool::selectedText() const {
+  for (const ChangeableEdit& each : edits_) {
+    if (each.id != feature()) continue;
+    const PullMode own(each.edit);
+    QStringList parts{own.wayText(), own.symmetryText(), own.levelText()};
+    parts.removeAll(QString());
+    return tr("selected edit: %1").arg(parts.join(QStringLiteral(", ")));
+  }
+  return {};
+}
+
+bool SurfacePullTool::isShown() const {
+  if (!placement_) return false;
+  return std::any_of(placement_->users.begin(), placement_->users.end(), [this](const FeatureId& sweep) {
+    const auto result = host().result(sweep);
+    return !result || !result->error;
+  });
 }
 
 /// What is wrong with the goal that is typed.

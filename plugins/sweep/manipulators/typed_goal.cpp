@@ -16,6 +16,11 @@ constexpr qsizetype coordinates = 3;
                   .toStdString());
 }
 
+[[noreturn]] void refuseMoreCoordinates(qsizetype typed) {
+  throw Error(ErrorCode::InvalidParameter,
+              GoalEntry::tr("%1 coordinates were typed; a target has three: x, y, z.").arg(typed).toStdString());
+}
+
 /// Between commas, but for those within parentheses; semicolons part as well.
 QStringList coordinatesIn(const QString& text) {
   QStringList parts{QString()};
@@ -83,7 +88,7 @@ GoalEntry::Goal GoalEntry::pointGoal(const ui::ToolHost& host) const {
   const bool relative = text.startsWith(u'@');  // from where the place is
   if (relative) text.remove(0, 1);
   QStringList parts = coordinatesIn(text);
-  if (parts.size() > coordinates) refuseNumberOfCoordinates();
+  if (parts.size() > coordinates) refuseMoreCoordinates(parts.size());
   while (parts.size() < coordinates) parts << QString();
   Goal goal{present_, 0, Value::array()};
   for (int k = 0; k < 3; ++k) {

@@ -13,6 +13,7 @@
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
 #include "type_ids.h"
+#include "validity_report.h"
 
 namespace blossom::sweep {
 
@@ -59,7 +60,9 @@ Shape shapeOf(const Motion& motion, const GrowthParameters& p, const Progress& p
   if (p.as == GrowAs::Mesh) return motionMesh(motion, meshOptionsOf(p), progress);
   Surface surface = productSurface(motion, {}, progress).surface;
   if (p.as == GrowAs::Surface) return surface;
-  return Brep(makeSolid(surface, progress).solid);
+  const SolidResult solid = makeSolid(surface, progress);
+  refuseHollowRing(motion, solid, progress);
+  return Brep(solid.solid);
 }
 
 double timeOf(const GrowthParameters& p, std::size_t frame) {

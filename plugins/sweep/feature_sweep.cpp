@@ -29,6 +29,8 @@ const char* capName(EndCap cap) {
       return "point";
     case EndCap::Planar:
       return "planar";
+    case EndCap::Edge:
+      return "edge";
     case EndCap::Cone:
       return "cone";
   }
@@ -86,13 +88,13 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
     out.shape = surface;
     return out;
   }
-  // The solid is refused where it crosses itself, with the place.
+  // The solid is refused where it crosses itself or turns inside out, with the place.
   progress.report(0.55, "Closing the solid");
   const SolidResult solid = makeSolid(surface, progress.part(0.55, 0.95));
   out.stats["caps"] = Value::array({capName(solid.start), capName(solid.end)});
   if (solid.start == EndCap::Cone || solid.end == EndCap::Cone)
     out.warnings.push_back("An end of the sweep is not planar; it is closed by straight lines to its centre.");
-  addValidityOfSolid(motion, surface, measuredDeviation(out), out, progress.part(0.95, 1));
+  addValidityOfSolid(motion, surface, solid, measuredDeviation(out), out, progress.part(0.95, 1));
   out.shape = Brep(solid.solid);
   return out;
 }

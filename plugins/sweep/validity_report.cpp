@@ -13,6 +13,7 @@
 #include "geometry/crossing/surface_crossing.h"
 #include "kernel/crossing_cause.h"
 #include "kernel/cubic_approximation.h"
+#include "kernel/fold.h"
 #include "kernel/grid/motion_point.h"
 #include "kernel/validity.h"
 
@@ -28,27 +29,45 @@ std::string parametersText(const Vec2& at) { return fmt::format("u = {:.4g}, v =
 /// Before all others: a panel shows the first one, and a list begins with it.
 void warnFirst(Evaluated& out, std::string warning) { out.warnings.insert(out.warnings.begin(), std::move(warning)); }
 
-/// @returns whether the surface folds over itself
-bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
+/// What to do about a fold.
+const char* remedyOf(const Fold& fold) {
+  return fold.backwards ? "Make the sections smaller there, or the motion bend, turn and pull less."
+                        : "Turn or pull it less there, or over a wider part, at a coarser level.";
+}
+
+std::string foldText(const Fold& fold, bool solid) {
+  return fmt::format(
+      "The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the surface "
+      "run back over others or turn inside out. {} {}",
+      placeText(fold.place), parametersText({fold.u, fold.v}),
+      solid ? "The solid may count space there twice, or not at all."
+            : "Sheets that only lie on each other, or touch, are not counted as a crossing.",
+      remedyOf(fold));
+}
+
+/// The parameters may come to a halt where the surface does not: then it is they that are told.
+std::string smallNormalText(const Motion& motion, const Validity& validity) {
+  const std::string at = parametersText({validity.u, validity.v});
+  if (!hasNormalThere(motion, {validity.u, validity.v}))
+    return fmt::format("The surface has no normal near {}: it runs into a point or an edge, or folds over there.", at);
+  return fmt::format(
+      "The parameters run very unevenly: near {} a step of them covers {:.2g} of the area that it does "
+      "elsewhere. The surface is whole there. Make the weights and knots of the factors more alike.",
+      at, validity.smallestShare);
+}
+
+Validity addNormal(const Motion& motion, bool solid, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
-  const Validity validity = examine(motion, progress);
+  Validity validity = examine(motion, progress);
   out.stats["min_normal"] = validity.smallestNormal;
   out.stats["min_normal_share"] = validity.smallestShare;
   out.stats["min_normal_at"] = listOf(Vec2(validity.u, validity.v));
   out.stats["min_normal_place"] = listOf(validity.place);
-  if (validity.fold) {
-    const Fold& fold = *validity.fold;
-    warnFirst(out,
-              fmt::format("The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the "
-                          "surface run back over others or turn inside out. Whether it crosses itself is not tested for "
-                          "sheets that lie on each other. Turn or pull it less there, or over a wider part, at a "
-                          "coarser level.",
-                          placeText(fold.place), parametersText({fold.u, fold.v})));
-  } else if (validity.smallestShare < vanishing) {
-    out.warnings.push_back(fmt::format("The surface has no normal near {}: it runs into a point or folds over there.",
-                                       parametersText({validity.u, validity.v})));
-  }
-  return validity.fold.has_value();
+  if (validity.fold)
+    warnFirst(out, foldText(*validity.fold, solid));
+  else if (validity.smallestShare < vanishing)
+    out.warnings.push_back(smallNormalText(motion, validity));
+  return validity;
 }
 
 /// By how much weights differ: the least share of the largest.
@@ -117,26 +136,43 @@ void addDeviation(const Motion& motion, const Surface& surface, std::optional<do
   out.figures.push_back({"export_deviation", off, MeasureUnit::Length});
 }
 
-/// @returns whether the surface folds over itself
-bool addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
-                       const Progress& progress) {
-  const bool folds = addNormal(motion, out, progress);
+void addExport(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
+               const Progress& progress) {
   if (!deviation) addWeight(motion, surface, out);  // a cubic surface has no weights
   addDeviation(motion, surface, deviation, out, progress);
-  return folds;
+}
+
+bool isRing(const SolidResult& solid) { return solid.start == EndCap::None && solid.end == EndCap::None; }
+
+void refuseSectionsThatGoBack(const SolidResult& solid, const std::optional<Fold>& fold) {
+  if (!isRing(solid) || !fold || !fold->backwards) return;
+  throw Error(
+      ErrorCode::Degenerate,
+      fmt::format("The ring turns inside out near {}, at {}: its sections go back there, because the motion bends or "
+                  "turns more tightly than they are wide. The solid would have a void inside.",
+                  placeText(fold->place), parametersText({fold->u, fold->v})),
+      std::string(remedyOf(*fold)) + " Or leave out --solid: the surface alone may fold.");
 }
 
 }  // namespace
 
 void addValidity(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                  const Progress& progress) {
-  const bool folds = addAllButCrossing(motion, surface, deviation, out, progress);
+  const bool folds = addNormal(motion, false, out, progress).fold.has_value();
+  addExport(motion, surface, deviation, out, progress);
   addCrossing(motion, surface, folds, out, progress);
 }
 
-void addValidityOfSolid(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
-                        const Progress& progress) {
-  if (!addAllButCrossing(motion, surface, deviation, out, progress)) out.figures.push_back({"crosses_itself", false});
+void addValidityOfSolid(const Motion& motion, const Surface& surface, const SolidResult& solid,
+                        std::optional<double> deviation, Evaluated& out, const Progress& progress) {
+  const std::optional<Fold> fold = addNormal(motion, true, out, progress).fold;
+  refuseSectionsThatGoBack(solid, fold);
+  addExport(motion, surface, deviation, out, progress);
+  if (!fold) out.figures.push_back({"crosses_itself", false});
+}
+
+void refuseHollowRing(const Motion& motion, const SolidResult& solid, const Progress& progress) {
+  if (isRing(solid)) refuseSectionsThatGoBack(solid, examine(motion, progress).fold);
 }
 
 }  // namespace blossom::sweep

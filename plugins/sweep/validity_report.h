@@ -5,6 +5,7 @@
 #include "feature/feature_type.h"
 #include "geometry/bspline/surface.h"
 #include "geometry/shape/motion.h"
+#include "kernel/solid.h"
 
 namespace blossom::sweep {
 
@@ -21,6 +22,13 @@ namespace blossom::sweep {
 void addValidity(const Motion&, const Surface& surface, std::optional<double> deviation, Evaluated&, const Progress&);
 
 /// The same for a solid over the surface, which does not cross itself: it would have been refused.
-void addValidityOfSolid(const Motion&, const Surface& surface, std::optional<double> deviation, Evaluated&, const Progress&);
+/// @throws Error Degenerate as refuseHollowRing; Cancelled
+void addValidityOfSolid(const Motion&, const Surface& surface, const SolidResult&, std::optional<double> deviation,
+                        Evaluated&, const Progress&);
+
+/// Refuses a solid whose ends meet and whose sections go back somewhere, as those of a torus that are wider than its ring.
+/// What they pass there they take away: it would be a void inside of the solid, which no crossing tells.
+/// @throws Error Degenerate with place, cause and remedy; Cancelled
+void refuseHollowRing(const Motion&, const SolidResult&, const Progress&);
 
 }  // namespace blossom::sweep

@@ -42,6 +42,38 @@ Motion aroundAxis(int degree, const std::vector<double>& degrees, double radius)
 /// Triangles around all meetings of a folded surface. Each ball used to have some 20,000, and there were about 20 of them.
 constexpr std::size_t workOfAFold = 60000;
 
+/// A torus about z with a ring of radius 30; its section may be wider than that.
+Motion ringOf(double section) {
+  constexpr double before = 10;
+  Motion motion =
+      primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 30, .profile = before, .rows = 7, .columns = 7}).motion;
+  for (Vec4& pole : motion.scaling.poles) pole.head<3>() *= section / before;
+  return motion;
+}
+
+/// The same with sections that swell and shrink, so that its tips are no points.
+Motion unevenRing(double section, double by) {
+  Motion motion = ringOf(section);
+  Surface& s = motion.scaling;
+  for (std::size_t k = 0; k < s.poles.size(); ++k) {
+    const std::size_t column = k % s.countV();
+    if (column > 1 && column + 2 < s.countV()) s.poles[k].head<3>() *= 1 + by * std::sin(3.0 * static_cast<double>(column));
+  }
+  return motion;
+}
+
+/// A sheet or a tube along z, straight but for these curves of (x, y), all of one degree over the same knots in u.
+Motion ruled(int degree, const std::vector<double>& knots, const std::vector<std::vector<Vec2>>& curves) {
+  Motion motion;
+  motion.point = Vec3(1, 1, 1);
+  motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 0, 40, 1)}};
+  motion.orientation = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Vec4>(4, Vec4(1, 0, 0, 0))};
+  motion.scaling = {degree, 1, knots, {0, 0, 1, 1}, {}};
+  for (std::size_t i = 0; i < curves[0].size(); ++i)
+    for (const std::vector<Vec2>& curve : curves) motion.scaling.poles.emplace_back(curve[i].x(), curve[i].y(), 0, 1);
+  return motion;
+}
+
 double foldNormal(const Motion& motion, double u, double v) {
   const MotionPoint p = evaluate(motion, u, v);
   return p.du.cross(p.dv).norm();
@@ -189,6 +221,54 @@ class SweepFoldTest : public QObject {
       *factor = insertKnotsV(insertKnotsU(*factor, u), v);
     }
     QVERIFY(examine(motion).fold);
+  }
+
+  /// The inner side of a section that is wider than its ring goes back, however little of it that is.
+  void aRingWiderThanItsBendGoesBack() {
+    for (const double times : {1.00001, 1.0001, 1.001, 1.01, 1.1, 1.5, 2.5, drawn(1.001, 3)}) {
+      const auto fold = examine(ringOf(30 * times)).fold;
+      QVERIFY2(fold && fold->backwards, qPrintable(QString::number(times)));
+      COMPARE_NEAR(std::abs(fold->place.z()), 30 * std::sqrt(times * times - 1), 1e-3);
+    }
+    for (const double times : {0.5, 0.999, 0.99999, 1.0, drawn(0.1, 1)})
+      QVERIFY2(!examine(ringOf(30 * times)).fold, qPrintable(QString::number(times)));
+  }
+
+  /// Where the normal turns half round while it is short, but nowhere vanishes, a search that goes on finds a smooth turn.
+  void aRingWithoutSharpTipsGoesBack() {
+    for (const double times : {1.2, 1.5, drawn(1.1, 2)})
+      for (const double by : {1e-6, 3e-5, 1e-3}) {
+        const auto fold = examine(unevenRing(30 * times, by)).fold;
+        QVERIFY2(fold && fold->backwards, qPrintable(QStringLiteral("%1 %2").arg(times).arg(by)));
+      }
+    for (const double by : {1e-3, 1e-2}) QVERIFY(!examine(unevenRing(25, by)).fold);
+  }
+
+  /// A section that almost has a cusp turns sharply, and goes on.
+  void aNarrowBendIsNoFold() {
+    for (const double width : {1e-2, 1e-4, 1e-6}) {
+      const std::vector<Vec2> bend{{10, width}, {0, width}, {0, -width}, {10, -width}};
+      QVERIFY2(!examine(ruled(3, {0, 0, 0, 0, 1, 1, 1, 1}, {bend, bend})).fold, qPrintable(QString::number(width)));
+    }
+  }
+
+  /// The last section of a chisel runs forth and back along its edge; those before it do not.
+  void aSharpEndIsNoFold() {
+    for (const int corners : {12, 24}) {
+      std::vector<Vec2> round, flat;
+      std::vector<double> knots;
+      for (int i = 0; i <= corners + 2; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        round.emplace_back(20 * std::cos(angle), 8 * std::sin(angle));
+        flat.emplace_back(0, 8 * std::sin(angle));
+      }
+      for (int k = -2; k <= corners + 3; ++k) knots.push_back(k);
+      knots.resize(round.size() + 3);
+      QVERIFY(!examine(ruled(2, knots, {round, flat})).fold);
+      QVERIFY(!examine(ruled(2, knots, {flat, round})).fold);
+      for (Vec2& p : flat) p.x() = -5 * p.y();
+      QVERIFY(!examine(ruled(2, knots, {round, flat})).fold);
+    }
   }
 
   void samplesDoNotFold() {

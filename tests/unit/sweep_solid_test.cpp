@@ -1,6 +1,8 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -14,6 +16,7 @@
 #include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/begin/turning_spline.h"
 #include "sweep/kernel/cubic_approximation.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/solid.h"
 
@@ -47,6 +50,56 @@ Motion tube(const std::vector<double>& radii, double lean) {
   motion.orientation = unwrapped(3, 3, period, knots, quaternions, -1);
   motion.scaling = unwrapped(3, 3, period, knots, scales, 1);
   return motion;
+}
+
+/// A straight tube of height 40 whose section is round at the start. On the way along it becomes the edge that `thin` leaves
+/// of it; with both ends, it begins as that edge, too.
+Motion chisel(const Vec2& thin, bool bothEnds) {
+  constexpr int rows = 16;
+  constexpr double radius = 10, seam = 0.3;
+  // The share of the round section: 1 - t, or 4 t (1 - t), a parabola of the coefficients 0, 2, 0.
+  const std::vector<double> shares = bothEnds ? std::vector<double>{0, 2, 0} : std::vector<double>{1, 0.5, 0};
+  std::vector<double> period;
+  std::vector<Vec4> scales;
+  for (int i = 0; i < rows; ++i) {
+    period.push_back(i / static_cast<double>(rows));
+    const double angle = seam + 2 * pi * i / rows;
+    const Vec2 round = radius * Vec2(std::cos(angle), std::sin(angle));
+    for (const double share : shares) {
+      const Vec2 p = share * round + (1 - share) * round.dot(thin) * thin;
+      scales.emplace_back(p.x(), p.y(), 0, 1);
+    }
+  }
+  period.push_back(1);
+  Motion motion;
+  motion.closedU = ClosedU::Periodic;
+  motion.point = Vec3::Ones();
+  motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 0, 40, 1)}};
+  motion.orientation = unwrapped(1, 1, period, {0, 0, 1, 1}, std::vector<Vec4>(2 * rows, Vec4(1, 0, 0, 0)), 1);
+  motion.scaling = unwrapped(3, 2, period, {0, 0, 0, 1, 1, 1}, scales, 1);
+  return motion;
+}
+
+/// Of the section at v, in the plane of x and y.
+double areaOfSection(const Motion& motion, double v) {
+  constexpr int corners = 20000;
+  double area = 0;
+  Vec3 last = evaluate(motion, 0, v).point;
+  for (int k = 1; k <= corners; ++k) {
+    const Vec3 next = evaluate(motion, static_cast<double>(k) / corners, v).point;
+    area += (last.x() * next.y() - last.y() * next.x()) / 2;
+    last = next;
+  }
+  return area;
+}
+
+std::string refusalOf(const Motion& motion) {
+  try {
+    makeSolid(productSurface(motion).surface);
+  } catch (const Error& error) {
+    return error.message();
+  }
+  return "It was not refused.";
 }
 
 double volumeOf(const SolidResult& result) {
@@ -180,6 +233,45 @@ class SweepSolidTest : public QObject {
       verifySolid(solid);
       COMPARE_NEAR(volumeOf(solid), pi * 100 * 40, 1e-6 * pi * 100 * 40);
     }
+  }
+
+  /// A tube that ends in a straight edge, whose ends lie at the seam or elsewhere: no cap, and the side meets itself along
+  /// the edge.
+  void endsThatAreEdgesNeedNoCap() {
+    for (const bool bothEnds : {false, true})
+      for (const Vec2& thin : {Vec2(0, 1), Vec2(1, 0), Vec2(0.6, 0.8), Vec2(std::cos(0.3), std::sin(0.3))}) {
+        const Motion motion = chisel(thin, bothEnds);
+        const SolidResult solid = makeSolid(productSurface(motion).surface);
+        verifySolid(solid);
+        QCOMPARE(solid.end, EndCap::Edge);
+        QCOMPARE(solid.start, bothEnds ? EndCap::Edge : EndCap::Planar);
+        // Sections are as large as the share of the round one, whose mean is 1/2 or 2/3.
+        const double wanted = bothEnds ? areaOfSection(motion, 0.5) * 40 * 2 / 3 : areaOfSection(motion, 0) * 40 / 2;
+        COMPARE_NEAR(volumeOf(solid), wanted, 1e-6 * wanted);
+        for (TopExp_Explorer faces(solid.solid, TopAbs_FACE); faces.More(); faces.Next()) {
+          const Brep face(faces.Current());
+          for (const Measure& each : measure(face).values)
+            if (each.name == "area") QVERIFY(std::get<double>(each.value) > 1);
+        }
+        for (TopExp_Explorer edges(solid.solid, TopAbs_EDGE); edges.More(); edges.Next())
+          QVERIFY(BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())) < 1e-4);
+      }
+  }
+
+  /// What both ends share may be one point: nothing there is a wall.
+  void aRingThatIsPinchedIsToldSo() {
+    Motion ring = readMotionOf("torus.json");
+    Surface& s = ring.scaling;
+    for (std::size_t k = 0; k < s.poles.size(); ++k)
+      if (k % s.countV() == 0 || k % s.countV() + 1 == s.countV()) s.poles[k].head<3>().setZero();
+    const std::string message = refusalOf(ring);
+    QVERIFY2(message.find("pinched") != std::string::npos, message.c_str());
+  }
+
+  void whatIsTooLargeIsToldSo() {
+    const std::string message = refusalOf(primitiveMotion({.kind = PrimitiveKind::Sphere, .radius = 5e8}).motion);
+    QVERIFY2(message.starts_with("The sweep is too large for a solid"), message.c_str());
+    verifySolid(makeSolid(productSurface(primitiveMotion({.kind = PrimitiveKind::Sphere, .radius = 2e7}).motion).surface));
   }
 
   void bentEndsAreClosedByCones() {

@@ -159,6 +159,29 @@ class SweepWarningsTest : public QObject {
     QVERIFY2(cause.cause.find("crosses itself") != std::string::npos, cause.cause.c_str());
   }
 
+  /// What the inner side of its sections takes away is a void, which neither volume nor crossings tell.
+  void aRingWiderThanItsBendIsNoSolid() {
+    for (const double radius : {5.5, 8.0}) {
+      const Shape ring = made("sweep-along", {{"radius", radius}}, {circle(5)}).shape;
+      const Error error = refusal("sweep", {{"solid", true}}, {ring});
+      QVERIFY2(error.message().starts_with("The ring turns inside out near ("), error.message().c_str());
+      QVERIFY2(error.hint().starts_with("Make the sections smaller there"), error.hint().c_str());
+      VERIFY_REFUSED(refusal("sweep-growth", {{"as", "solid"}}, {ring, ring}), ErrorCode::Degenerate, "turns inside out");
+      QVERIFY(has(made("sweep", {}, {ring}), "folds over itself"));
+    }
+    QVERIFY(isSound(made("sweep", {{"solid", true}}, {made("sweep-along", {{"radius", 4.9}}, {circle(5)}).shape})));
+  }
+
+  /// A cylinder remains one, however its parameters run along it.
+  void unevenParametersAreNoFold() {
+    Motion cylinder = primitiveMotion({.rows = 8, .columns = 8}).motion;
+    std::vector<Vec4>& poles = cylinder.trajectory.poles;
+    const std::vector<double> weights{1, 1e-6, 1, 1e6, 1, 1, 1e3, 1, 1e-4, 1, 1};
+    for (std::size_t k = 0; k < poles.size(); ++k) poles[k] *= weights.at(k);
+    const Evaluated surface = made("sweep", {}, {cylinder});
+    QVERIFY2(has(surface, "parameters run very unevenly") && !has(surface, "no normal"), all(surface).c_str());
+  }
+
   void aDoubleConeDoesNotFold() {
     Motion cone = *made("sweep-along", {{"radius", 5.0}}, {polynomial({{0, 0, 0}, {0, 0, 5}, {0, 0, 10}, {0, 0, 15}})})
                        .shape.get<Motion>();

@@ -1,9 +1,7 @@
 #include "kernel/solid.h"
 
 #include <fmt/format.h>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -15,9 +13,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
-#include <gp_Pln.hxx>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -30,7 +26,9 @@
 #include "geometry/crossing/self_crossing.h"
 #include "geometry/crossing/sheet_mesh.h"
 #include "geometry/occt/occt.h"
-#include "kernel/end_outline.h"
+#include "kernel/end_caps.h"
+#include "kernel/end_poles.h"
+#include "kernel/sharp_end.h"
 
 namespace blossom::sweep {
 
@@ -39,16 +37,11 @@ namespace {
 constexpr double same = 1e-9;            // of the size
 constexpr double sameFarAway = 1.5e-14;  // of the coordinates, which have no finer steps after the product is formed
 
-Vec3 euclidean(const Vec4& pole) { return pole.head<3>() / pole[3]; }
-
 /// How far apart points may lie that are the same one: the size is that of the surface, as poles of small weights lie
 /// anywhere.
 double nearOf(const Box3& box) {
   return std::max(same * box.diagonal().norm(), sameFarAway * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
 }
-
-/// The same beside a pole, which may lie far beyond the surface and has no finer steps there.
-double nearAt(const Vec4& pole, double near) { return std::max(near, sameFarAway * euclidean(pole).norm()); }
 
 /// Copies line `from` of poles to line `to` when they represent the same curve: the same points, weights in a fixed ratio.
 /// @param step,lines stride inside a line and between positions, as indices into the pole array
@@ -65,108 +58,15 @@ bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t 
   return true;
 }
 
-/// The row of poles at an end in v.
-std::vector<Vec4> endPoles(const Surface& surface, bool atEnd) {
-  std::vector<Vec4> poles;
-  for (std::size_t i = 0; i < surface.countU(); ++i) poles.push_back(surface.pole(i, atEnd ? surface.countV() - 1 : 0));
-  return poles;
-}
-
-Vec3 centre(const std::vector<Vec4>& poles) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i + 1 < poles.size(); ++i) sum += euclidean(poles[i]);
-  return sum / static_cast<double>(poles.size() - 1);
-}
-
-bool isPoint(const std::vector<Vec4>& poles, const Vec3& middle, double near) {
-  return std::all_of(poles.begin(), poles.end(),
-                     [&](const Vec4& pole) { return (euclidean(pole) - middle).norm() <= near; });
-}
-
 /// Makes an end that is a point within `near` exactly one; what is left of it would be an edge without a face beside it.
 void gatherPoint(Surface& surface, bool atEnd, double near) {
   const std::vector<Vec4> poles = endPoles(surface, atEnd);
-  const Vec3 middle = centre(poles);
+  const Vec3 middle = middleOf(poles);
   if (!isPoint(poles, middle, near)) return;
   for (std::size_t i = 0; i < surface.countU(); ++i) {
     Vec4& pole = surface.pole(i, atEnd ? surface.countV() - 1 : 0);
     pole.head<3>() = pole[3] * middle;
   }
-}
-
-/// Normal of the plane through all poles within `tolerance`.
-std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& origin, double tolerance) {
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Vec4& pole : poles) scatter += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Vec3 normal = solver.eigenvectors().col(0);
-  for (const Vec4& pole : poles)
-    if (std::abs(normal.dot(euclidean(pole) - origin)) > nearAt(pole, tolerance)) return {};
-  return normal;
-}
-
-gp_Pnt toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-/// The boundary edge of the side face that runs along an end.
-/// @param near in the parameter
-TopoDS_Edge endEdge(const TopoDS_Face& side, double v, double near) {
-  for (TopExp_Explorer explorer(side, TopAbs_EDGE); explorer.More(); explorer.Next()) {
-    TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, side, first, last);
-    if (curve.IsNull() || BRep_Tool::Degenerated(edge)) continue;
-    const gp_Pnt2d a = curve->Value(first), b = curve->Value(last);
-    if (std::abs(a.Y() - v) < near && std::abs(b.Y() - v) < near) return edge;
-  }
-  throw Error(ErrorCode::Degenerate, "An end of the sweep has no boundary to close.",
-              "Sections below 1e-7 mm are points to a solid: make the motion larger, or leave out --solid.");
-}
-
-/// Straight lines from the end curve to its centre, over the same knots and weights: the boundary is shared homogeneously.
-Surface cone(const Surface& surface, const std::vector<Vec4>& poles, const Vec3& apex) {
-  Surface result{surface.degreeU, 1, surface.knotsU, {0, 0, 1, 1}, {}};
-  for (const Vec4& pole : poles) {
-    result.poles.push_back(pole);
-    result.poles.emplace_back(pole[3] * apex.x(), pole[3] * apex.y(), pole[3] * apex.z(), pole[3]);
-  }
-  return result;
-}
-
-struct Cap {
-  EndCap kind = EndCap::None;
-  TopoDS_Face face;
-};
-
-/// @param why follows the place: "."
-Error crossingAt(const Vec3& at, double size, const std::string& why, const char* remedy) {
-  return Error(ErrorCode::Degenerate, fmt::format("The swept solid crosses itself near {}{}", placeText(at, size, 4), why),
-               remedy);
-}
-
-/// @param near points of the ends closer to each other than this are one  @param size of the surface
-Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double near, double size,
-            const Progress& progress) {
-  const std::vector<Vec4> poles = endPoles(surface, atEnd);
-  const Vec3 origin = centre(poles);
-  if (isPoint(poles, origin, near)) return {EndCap::Point, {}};
-  const auto [first, last] = surface.domainV();
-  if (const auto normal = planeNormal(poles, origin, std::max(near, 1e-9))) {
-    // OCCT neither refuses such an outline nor ends when it is to triangulate one that is run through twice.
-    if (const auto crossing = outlineCrossing(surface, atEnd, *normal, progress))
-      throw crossingAt(
-          *crossing, size,
-          fmt::format(": its section at the {}, v = {:.4g}, does.", atEnd ? "end" : "start", atEnd ? last : first),
-          "Even out the scaling and rotation along u there, or leave out --solid: the surface alone may cross "
-          "itself.");
-    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first, 1e-9 * (last - first))).Wire();
-    BRepBuilderAPI_MakeFace maker(gp_Pln(toPoint(origin), gp_Dir(normal->x(), normal->y(), normal->z())), wire,
-                                  Standard_True);
-    if (!maker.IsDone())
-      throw Error(ErrorCode::Degenerate, "An end of the sweep could not be closed by a plane.",
-                  "Look at the surface without --solid: its end may cross itself.");
-    return {EndCap::Planar, maker.Face()};
-  }
-  return {EndCap::Cone, toFace(cone(surface, poles, origin))};
 }
 
 /// How the sections at the start and at the end lie on each other.
@@ -203,6 +103,17 @@ std::optional<EndsMeet> whereEndsMeet(const Surface& surface, const Progress& pr
     meet.gap = std::max(meet.gap, least);
   }
   return meet;
+}
+
+/// Ends that are one and the same point need no walls, but the body would touch itself there.
+void refusePinchedRing(const Surface& surface, double near) {
+  const std::vector<Vec4> start = endPoles(surface, false), end = endPoles(surface, true);
+  const Vec3 place = middleOf(start);
+  if (!isPoint(start, place, near) || !isPoint(end, place, near)) return;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("Both ends of the sweep run into the point {}: the ring would be pinched there, and touch itself.",
+                          placeText(place)),
+              "Keep the section wider than a point and close the motion, move the ends apart, or leave out --solid.");
 }
 
 /// Two caps in one place would be a wall inside of the ring.
@@ -271,7 +182,40 @@ void refuseFarAway(const Box3& box) {
               "Move it nearer to the origin.");
 }
 
-SolidResult build(Surface surface, const Progress& progress) {
+/// OCCT's tolerances are lengths: beside coordinates this large, the rounding of its own arithmetic exceeds them.
+void refuseTooLarge(double size) {
+  constexpr double largest = 1e8;
+  if (size <= largest) return;
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("The sweep is too large for a solid: {:.3g} mm across. Beyond about {:.3g} mm, rounding exceeds the "
+                  "tolerance within which faces are joined.",
+                  size, largest),
+      "Scale the motion down, or leave out --solid.");
+}
+
+[[noreturn]] void refuseSharpEnds() {
+  throw Error(ErrorCode::Degenerate, "The sweep ends in a straight edge, along which its side could not be closed.",
+              "Keep the section there a little wider, scale it down to a point, or leave out --solid.");
+}
+
+/// The side, in parts where an end is an edge: the two that meet along it then share it as faces do.
+std::vector<SidePart> sidesOf(const Surface& surface, bool sewn, double near) {
+  std::vector<double> cuts;
+  for (const bool atEnd : {false, true})
+    if (sewn && isSharpEnd(surface, atEnd, near))
+      for (const double u : cutsOfSharpEnd(surface, atEnd)) cuts.push_back(u);
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<SidePart> sides;
+  if (cuts.empty()) return {{surface, toFace(surface)}};
+  for (Surface& part : cutAlongV(surface, cuts)) {
+    const TopoDS_Face face = toFace(part);
+    sides.push_back({std::move(part), face});
+  }
+  return sides;
+}
+
+SolidResult build(Surface surface, SharpEnds sharp, const Progress& progress) {
   lengthenIfShort(surface.knotsU);
   lengthenIfShort(surface.knotsV);
   const Box3 box = sampledBox(surface, progress);
@@ -280,18 +224,21 @@ SolidResult build(Surface surface, const Progress& progress) {
   if (!mergeLines(surface, 0, (nu - 1) * nv, 1, nv, near))
     throw Error(ErrorCode::InvalidInput, "This motion is not closed in u, so the surface encloses no body.",
                 "Leave out --solid, or close the orientation with \"closed_u\".");
+  refusePinchedRing(surface, near);
   const bool ring = mergeLines(surface, 0, nv - 1, nv, nu, near);
   if (!ring)
     for (const bool atEnd : {false, true}) gatherPoint(surface, atEnd, near);
   SolidResult result;
-  std::vector<TopoDS_Face> faces{toFace(surface)};
+  const std::vector<SidePart> sides = sidesOf(surface, !ring && sharp == SharpEnds::Sewn, near);
+  std::vector<TopoDS_Face> faces;
+  faces.reserve(sides.size());
+  for (const SidePart& side : sides) faces.push_back(side.face);
   if (!ring) {
     refuseTurnedRing(surface, progress);
-    const Cap start = makeCap(surface, faces[0], false, near, size, progress),
-              end = makeCap(surface, faces[0], true, near, size, progress);
+    const Cap start = makeCap(surface, sides, false, sharp, near, size, progress),
+              end = makeCap(surface, sides, true, sharp, near, size, progress);
     result.start = start.kind, result.end = end.kind;
-    for (const Cap& cap : {start, end})
-      if (!cap.face.IsNull()) faces.push_back(cap.face);
+    for (const Cap& cap : {start, end}) faces.insert(faces.end(), cap.faces.begin(), cap.faces.end());
   }
   progress.check();
   const TopoDS_Shell shell = sew(faces, size);
@@ -302,6 +249,8 @@ SolidResult build(Surface surface, const Progress& progress) {
   BRepGProp::VolumeProperties(result.solid, properties);
   if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(properties.Mass() > 0)) {
     refuseFarAway(box);
+    refuseTooLarge(size);
+    if (result.start == EndCap::Edge || result.end == EndCap::Edge) refuseSharpEnds();
     throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
                 "Look at the surface without --solid: it may cross itself or fold over at an end.");
   }
@@ -315,11 +264,31 @@ SolidResult build(Surface surface, const Progress& progress) {
   return result;
 }
 
+bool hasSharpEnd(const Surface& surface, const Progress& progress) {
+  const double near = nearOf(sampledBox(surface, progress));
+  return isSharpEnd(surface, false, near) || isSharpEnd(surface, true, near);
+}
+
+/// A flat side that comes together in one end of the edge, or a very thin body, may not be sewn along it.
+SolidResult builtAnyhow(const Surface& surface, const Progress& progress) {
+  try {
+    return build(surface, SharpEnds::Sewn, progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Degenerate || !hasSharpEnd(surface, progress)) throw;
+    try {
+      return build(surface, SharpEnds::Capped, progress);
+    } catch (const Error& other) {
+      if (other.code() == ErrorCode::Cancelled) throw;
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 SolidResult makeSolid(const Surface& surface, const Progress& progress) {
   try {
-    return build(surface, progress);
+    return builtAnyhow(surface, progress);
   } catch (const Standard_Failure& failure) {
     throw Error(ErrorCode::Degenerate, std::string("The solid could not be built: ") + failure.GetMessageString() + ".");
   }

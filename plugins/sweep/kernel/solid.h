@@ -12,6 +12,7 @@ enum class EndCap {
   None,    ///< none, because the ends meet: a torus
   Point,   ///< the end is a single point
   Planar,  ///< a planar face
+  Edge,    ///< none, because the end is a straight edge, as that of a chisel
   Cone     ///< straight lines to the centre of an end that is not planar
 };
 
@@ -24,7 +25,7 @@ struct SolidResult {
 /// edges with the surface, so there are no gaps. Faces are oriented outward; the solid is valid and closed (BRepCheck) and
 /// its triangles do not intersect. Rows or columns of poles that are equal within 1e-9 of the size, or within the rounding
 /// of coordinates far from the origin, are made equal. The side keeps the parameters of the surface, but for domains shorter
-/// than 1e-6, which become longer by a power of two.
+/// than 1e-6, which become longer by a power of two; where an end is an edge, it is cut along v into up to four faces.
 /// @throws Error InvalidInput when the surface is not closed in u; Degenerate when the solid is invalid or intersects
 /// itself, with the place; Cancelled.
 SolidResult makeSolid(const Surface&, const Progress& = Progress::none());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "kernel/edit/seam_v.h"
 #include "kernel/greville.h"
 #include "kernel/grid/motion_grid.h"
 #include "kernel/grid/motion_point.h"
@@ -48,17 +49,19 @@ class NormalSamples {
   using Turn = std::pair<Place, Place>;
   /// Neighbours whose normals point away from each other, some along every line of the grid: a sharp edge along one of them
   /// does not hide a fold along another. A sample without a normal, at a pole or just where the surface folds, is passed
-  /// over: what rounding leaves there points anywhere.
-  [[nodiscard]] std::vector<Turn> turns() const {
+  /// over: what rounding leaves there points anywhere. So are neighbours along the rim: where the surface ends in an edge,
+  /// its last section runs forth and back along it, and what folds farther inside is seen there.
+  /// @param least length of what is a normal
+  [[nodiscard]] std::vector<Turn> turns(double least) const {
     std::vector<Turn> found;
     for (std::size_t k = 0; k < us_.size(); ++k) {
       std::vector<Turn> acrossU;
-      for (std::size_t l = 0; l < vs_.size(); ++l) addTurn({k, l}, {1, 0}, acrossU);
+      for (std::size_t l = 1; l + 1 < vs_.size(); ++l) addTurn({k, l}, {1, 0}, least, acrossU);
       addSome(acrossU, found);
     }
     for (std::size_t l = 0; l < vs_.size(); ++l) {
       std::vector<Turn> acrossV;
-      for (std::size_t k = 0; k < us_.size(); ++k) addTurn({k, l}, {0, 1}, acrossV);
+      for (std::size_t k = 1; k + 1 < us_.size(); ++k) addTurn({k, l}, {0, 1}, least, acrossV);
       addSome(acrossV, found);
     }
     return found;
@@ -97,11 +100,11 @@ class NormalSamples {
   }
 
  private:
-  void addTurn(const Place& from, const Place& step, std::vector<Turn>& turns) const {
+  void addTurn(const Place& from, const Place& step, double least, std::vector<Turn>& turns) const {
     constexpr double away = -0.5;  // cosine
     Place next{from.k + step.k, from.l + step.l};
-    if (within(next) && !hasNormal(next)) next = {from.k + 2 * step.k, from.l + 2 * step.l};
-    if (!within(next) || !hasNormal(from) || !hasNormal(next)) return;
+    if (within(next) && !(at(next) > least)) next = {from.k + 2 * step.k, from.l + 2 * step.l};
+    if (!within(next) || !(at(from) > least) || !(at(next) > least)) return;
     if (normal(from).dot(normal(next)) < away * at(from) * at(next)) turns.emplace_back(from, next);
   }
   static void addSome(const std::vector<Turn>& turns, std::vector<Turn>& found) {
@@ -110,7 +113,6 @@ class NormalSamples {
     for (std::size_t i = 0; i < count; ++i) found.push_back(turns[i * turns.size() / count]);
   }
   [[nodiscard]] bool within(const Place& p) const { return p.k < us_.size() && p.l < vs_.size(); }
-  [[nodiscard]] bool hasNormal(const Place& p) const { return at(p) > 1e-9 * largest_; }
 
   /// Of neighbours that are equal up to rounding the first one alone: a fold along a line is one place.
   [[nodiscard]] bool isLow(std::size_t k, std::size_t l) const {
@@ -130,76 +132,65 @@ class NormalSamples {
   double largest_ = 0;
 };
 
-/// The least normal near a sample: finer samples in smaller and smaller windows about the least one.
-Validity leastAround(const Motion& motion, const NormalSamples& samples, const NormalSamples::Place& low,
+using Turns = std::vector<std::pair<Vec2, Vec2>>;  // from (u, v) to (u, v)
+
+/// @param most of them, evenly chosen
+void addTurns(const NormalSamples& samples, double least, std::size_t most, Turns& found) {
+  const auto turns = samples.turns(least);
+  const std::size_t count = std::min(turns.size(), most);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [from, to] = turns[i * turns.size() / count];
+    found.emplace_back(samples.parameters(from), samples.parameters(to));
+  }
+}
+
+/// The least normal near a sample: finer samples in smaller and smaller windows about the least one. Where the normal
+/// reverses twice between two samples, these alone see it.
+Validity leastAround(const Motion& motion, const NormalSamples& samples, const NormalSamples::Place& low, Turns& turns,
                      const Progress& progress) {
   constexpr std::size_t places = 9;
   constexpr int rounds = 24;
   constexpr double vanished = 1e-9, level = 1.05;  // share of the largest; the largest of a window where nothing vanishes
+  constexpr double deep = 1e-6;                    // share of the largest that rounding and tolerances do not explain
+  constexpr std::size_t fewTurns = 4;
   auto window = samples.around(low);
   Validity result;
   result.smallestNormal = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds && result.smallestNormal > vanished * samples.largest(); ++round) {
     const NormalSamples finer(motion, evenParameters(window[0], places), evenParameters(window[1], places), progress);
     if (const Validity least = finer.least(); least.smallestNormal < result.smallestNormal) result = least;
+    addTurns(finer, deep * samples.largest(), fewTurns, turns);
     if (finer.largest() < level * result.smallestNormal) break;
     window = finer.around(finer.leastPlace());
   }
   return result;
 }
 
-/// Whether a whole section is a point, through which the surface goes on as the other half of a double cone.
-bool runsThroughPoint(const Motion& motion, const Vec2& at) {
-  constexpr int around = 16;
-  constexpr double point = 1e-6;  // of the sections beside it
-  const auto [lowV, highV] = motion.domainV();
-  const auto widthAt = [&motion, u = motion.domainU()](double v) {
-    const Vec3 first = evaluate(motion, u.first, v).point;
-    double width = 0;
-    for (int k = 1; k < around; ++k)
-      width = std::max(width, (evaluate(motion, u.first + (u.second - u.first) * k / around, v).point - first).norm());
-    return width;
-  };
-  const double aside = 0.01 * (highV - lowV);
-  double beside = std::numeric_limits<double>::infinity();  // at an end of the motion there are sections on one side only
-  if (at.y() + aside <= highV) beside = std::min(beside, widthAt(at.y() + aside));
-  if (at.y() - aside >= lowV) beside = std::min(beside, widthAt(at.y() - aside));
-  return widthAt(at.y()) <= point * beside;
-}
+/// Whether the surface is closed both ways.
+bool isRing(const Motion& motion) { return motion.closedU != ClosedU::No && joinedInV(motion).has_value(); }
 
-/// Whether the normal reverses between two places: on the way it vanishes, or jumps to the opposite. At a sharp edge it
-/// turns, or jumps by less.
-std::optional<Fold> foldBetween(const Motion& motion, Vec2 from, Vec2 to) {
-  constexpr int halvings = 24;
-  constexpr double vanishing = 1e-3, reversed = -0.9, opposite = -1 + 5e-7;  // of the length before; cosines
-  const auto normalAt = [&](const Vec2& at) -> Vec3 {
-    const MotionPoint p = evaluate(motion, at.x(), at.y());
-    return p.du.cross(p.dv);
-  };
-  Vec3 a = normalAt(from), b = normalAt(to);
-  const double before = std::min(a.norm(), b.norm());
-  bool vanishes = false;
-  for (int k = 0; k < halvings && !vanishes; ++k) {
-    const Vec2 middle = (from + to) / 2;
-    const Vec3 m = normalAt(middle);
-    vanishes = !(m.norm() > 1e-9 * before);
-    if (vanishes) continue;
-    if (m.dot(a) < 0)
-      b = m, to = middle;
-    else
-      a = m, from = middle;
+/// Of the places at which neighbouring normals point away from each other, the first where the surface folds; of a ring
+/// rather one where its sections go back, for it encloses no body there.
+std::optional<Fold> worstFold(const Motion& motion, const Turns& turns, const Progress& progress) {
+  // A sheet may wind up along its middle with little pitch, which looks like a tip. No ring does so within a step of
+  // samples.
+  constexpr double pinchOfRing = 0.1, pinchOfOthers = 1e-3;
+  const bool ring = isRing(motion);
+  std::optional<Fold> found;
+  for (const auto& [from, to] : turns) {
+    progress.check();
+    const std::optional<Fold> fold = foldBetween(motion, from, to, ring ? pinchOfRing : pinchOfOthers);
+    if (fold && (!found || fold->backwards)) found = fold;
+    if (found && (!ring || found->backwards)) break;
   }
-  vanishes = vanishes || std::max(a.norm(), b.norm()) < vanishing * before;
-  const double cosine = a.dot(b) / (a.norm() * b.norm());
-  if (!(cosine < (vanishes ? reversed : opposite))) return {};
-  const Vec2 at = (from + to) / 2;
-  if (runsThroughPoint(motion, at)) return {};
-  return Fold{at.x(), at.y(), evaluate(motion, at.x(), at.y()).point};
+  return found;
 }
 
 }  // namespace
 
 Validity examine(const Motion& motion, const Progress& progress) {
+  constexpr double rounded = 1e-9;  // of the largest normal
+  constexpr std::size_t allTurns = std::numeric_limits<std::size_t>::max();
   const auto alongU = [&](std::size_t parts) {
     return spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, parts);
   };
@@ -209,17 +200,16 @@ Validity examine(const Motion& motion, const Progress& progress) {
   };
   const std::size_t parts = partsWithin(alongU(1).size() - 1, alongV(1).size() - 1, placesInSpan, mostPlaces);
   const NormalSamples samples(motion, alongU(parts), alongV(parts), progress);
+  const double largest = samples.largest();
+  Turns turns;
+  addTurns(samples, rounded * largest, allTurns, turns);
   Validity result = samples.least();
   for (const NormalSamples::Place& low : samples.lows()) {
-    const Validity finer = leastAround(motion, samples, low, progress);
+    const Validity finer = leastAround(motion, samples, low, turns, progress);
     if (finer.smallestNormal < result.smallestNormal) result = finer;
   }
-  const double largest = samples.largest();
   result.smallestShare = largest > 0 ? result.smallestNormal / largest : 0;
-  for (const auto& [from, to] : samples.turns()) {
-    progress.check();
-    if ((result.fold = foldBetween(motion, samples.parameters(from), samples.parameters(to)))) break;
-  }
+  result.fold = worstFold(motion, turns, progress);
   return result;
 }
 

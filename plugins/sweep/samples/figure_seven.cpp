@@ -10,10 +10,10 @@ namespace blossom::sweep::samples {
 
 namespace {
 
-constexpr double radius = 10, height = 36, bladeReach = 62, bladePitch = 62, turnedUp = 35;
+constexpr double radius = 10, hubLength = 36, bladeReach = 62, bladePitch = 62, turnedUp = 35;
 constexpr int rows = 16, columns = 14;
-constexpr double degree = std::numbers::pi / 180;
-const Vec3 middle(0, 0, height / 2);
+constexpr double degree = std::numbers::pi / 180, arrowHead = 5;
+const Vec3 middle(0, 0, hubLength / 2);
 
 /// Along a blade.
 Vec3 outward(int blade) {
@@ -35,7 +35,7 @@ Vec3 turnedTip(int blade) {
 
 void addCylinder(SampleTree& tree) {
   tree.begin("Cylinder",
-             {{"kind", "cylinder"}, {"radius", radius}, {"height", height}, {"rows", rows}, {"columns", columns}});
+             {{"kind", "cylinder"}, {"radius", radius}, {"height", hubLength}, {"rows", rows}, {"columns", columns}});
 }
 
 Value pullTo(int blade, const Vec3& to, double rotate, double scale) {
@@ -61,13 +61,17 @@ void addTwists(SampleTree& tree) {
 /// Two opposite blades are turned up, which keeps their distance from the axis.
 constexpr std::array<int, 2> turnedBlades{0, 2};
 
-/// An axis that sticks out of a tip, and three quarters of a turn about it.
-std::vector<Vec3> axisWithTurn(int blade) {
-  constexpr double sticksOut = 14, turnRadius = 7, from = -135, to = 135, step = 15;
-  const Vec3 end = tip(blade) + sticksOut * outward(blade), side = outward(blade).cross(Vec3::UnitZ());
-  std::vector<Vec3> points{tip(blade), end};
+/// Where an axis ends that sticks out of a tip.
+Vec3 axisEnd(int blade) { return tip(blade) + 14 * outward(blade); }
+
+/// Three quarters of a turn about an axis, the way its blade is twisted.
+std::vector<Vec3> turnAbout(int blade) {
+  constexpr double turnRadius = 8, from = -135, to = 135, step = 15;
+  const Vec3 side = Vec3::UnitZ().cross(outward(blade));
+  std::vector<Vec3> points;
   for (double angle = from; angle <= to; angle += step)
-    points.push_back(end + turnRadius * (std::cos(angle * degree) * side + std::sin(angle * degree) * Vec3::UnitZ()));
+    points.push_back(axisEnd(blade) +
+                     turnRadius * (std::cos(angle * degree) * side + std::sin(angle * degree) * Vec3::UnitZ()));
   return points;
 }
 
@@ -82,7 +86,7 @@ void writeFigureSeven(const App& app, const std::filesystem::path& folder) {
   SampleTree drags = hub;
   drags.sweep("Cylinder");
   for (int blade = 0; blade < 4; ++blade)
-    drags.line(numbered("Drag", blade).c_str(), {middle + radius * outward(blade), tip(blade)});
+    drags.arrow(numbered("Drag", blade).c_str(), {middle + radius * outward(blade), tip(blade)}, arrowHead);
   drags.save(folder / "propeller-a-drags.blossom");
 
   SampleTree pulled = blades;
@@ -92,7 +96,7 @@ void writeFigureSeven(const App& app, const std::filesystem::path& folder) {
   SampleTree toTurn = blades, tips = blades;
   toTurn.sweep("Four blades");
   for (const int blade : turnedBlades) {
-    toTurn.line(numbered("Drag", blade).c_str(), {tip(blade), turnedTip(blade)});
+    toTurn.arrow(numbered("Drag", blade).c_str(), {tip(blade), turnedTip(blade)}, arrowHead);
     tips.pull(numbered("Turn up blade", blade).c_str(), pullTo(blade, turnedTip(blade), 1, 0));
   }
   toTurn.save(folder / "propeller-c-turns.blossom");
@@ -101,15 +105,18 @@ void writeFigureSeven(const App& app, const std::filesystem::path& folder) {
 
   SampleTree axes = blades, twisted = blades;
   axes.sweep("Four blades");
-  for (int blade = 0; blade < 4; ++blade) axes.line(numbered("Axis", blade).c_str(), axisWithTurn(blade));
+  for (int blade = 0; blade < 4; ++blade) {
+    axes.line(numbered("Axis", blade).c_str(), {tip(blade), axisEnd(blade)});
+    axes.arrow(numbered("Turn", blade).c_str(), turnAbout(blade), arrowHead);
+  }
   axes.save(folder / "propeller-e-axes.blossom");
   addTwists(twisted);
   SampleTree growing = twisted;
   twisted.sweep("Propeller");
   twisted.save(folder / "propeller-f-twisted.blossom");
 
-  constexpr int framesOfEdit = 3, edits = 8;
-  growing.grow("Cylinder to propeller", framesOfEdit * edits + 1);
+  constexpr int framesOfEdit = 3, edits = 8, cells = 10;  // tips need finer cells than most
+  growing.grow("Cylinder to propeller", framesOfEdit * edits + 1, cells);
   growing.save(folder / "propeller-growing.blossom");
 }
 

@@ -18,7 +18,7 @@ constexpr double rightAngle = std::numbers::pi / 2;
 /// Fig. 1: the frame at one place of the trajectory, and its y and z axes as u goes from 0 to 1.
 SampleTree movingFrame(const App& app, const std::filesystem::path& folder) {
   constexpr double v = 0.5;
-  constexpr int fans = 36;
+  constexpr int fans = 16;
   const Motion motion = sweptPoint();
   const Vec3 centre = blossom::point(motion.trajectory, v);
   const auto axis = [&](double u, Eigen::Index k) -> Vec3 {
@@ -29,19 +29,19 @@ SampleTree movingFrame(const App& app, const std::filesystem::path& folder) {
   tree.import(folder / "swept-point.json", "Motion");
   tree.line("Frame at u = 0", {axis(0, 0), centre, axis(0, 1), centre, axis(0, 2)});
   for (const Eigen::Index k : {1, 2}) {
-    std::vector<Vec3> fan;
+    std::vector<Vec3> fan{centre};
     for (int i = 0; i <= fans; ++i) {
-      fan.push_back(centre);
       fan.push_back(axis(static_cast<double>(i) / fans, k));
+      if (i % 2 == 0) fan.insert(fan.end(), {centre, fan.back()});
     }
     tree.line(k == 1 ? "Its y axis along u" : "Its z axis along u", fan);
   }
   return tree;
 }
 
-/// The bent tube that is pulled in Figs. 3 to 6, and a place on its side. It stands beside the pulled one.
+/// The bent tube that is pulled in Figs. 3 to 6, and a place on top of it. It stands beside the pulled one.
 constexpr double bend = 45, section = 10;
-constexpr MotionPlace place{0.25, 0.5};
+constexpr MotionPlace onTop{0.25, 0.5};
 const Vec3 aside(0, -75, 0);
 
 struct Tube {
@@ -49,8 +49,8 @@ struct Tube {
     const PrimitiveOptions options{
         .kind = PrimitiveKind::Tube, .radius = bend, .profile = section, .angle = 150, .rows = 8, .columns = 5};
     const Motion motion = primitiveMotion(options).motion;
-    centre = blossom::point(motion.trajectory, place.v);
-    start = evaluate(motion, place.u, place.v).point;
+    centre = blossom::point(motion.trajectory, onTop.v);
+    start = evaluate(motion, onTop.u, onTop.v).point;
     outward = centre.normalized();
     tree.begin("Tube", {{"kind", "tube"},
                         {"radius", options.radius},
@@ -65,10 +65,10 @@ struct Tube {
     return centre + Eigen::AngleAxisd(share * rightAngle, outward) * (start - centre);
   }
   void pull(const char* name, const Vec3& to, double translate, double rotate, double scale) {
-    const Value one = {{"u", place.u}, {"v", place.v}, {"to", valueOf(to)}};
+    const Value one = {{"u", onTop.u}, {"v", onTop.v}, {"to", valueOf(to)}};
     tree.pull(name, {{"pulls", Value::array({one})}, {"translate", translate}, {"rotate", rotate}, {"scale", scale}});
     tree.sweep("Pulled tube");
-    tree.line("Drag", {start + aside, to + aside});
+    tree.arrow("Drag", {start + aside, to + aside}, 3);
   }
 
   SampleTree tree;

@@ -1,5 +1,7 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "app/sample_maker.h"
 #include "core/vector.h"
@@ -37,11 +39,18 @@ class SampleTree {
     blossom::samples::add(app_, document_, "transform", name, {{"move", valueOf(by)}}, {id});
   }
   /// All that became of the motion, frame by frame.
-  void grow(const char* name, int frames) {
-    blossom::samples::add(app_, document_, "sweep-growth", name, {{"frames", frames}}, motions_);
+  void grow(const char* name, int frames, int cells) {
+    blossom::samples::add(app_, document_, "sweep-growth", name, {{"frames", frames}, {"cells", cells}}, motions_);
   }
   /// Straight lines from point to point.
   void line(const char* name, const std::vector<Vec3>& points) { stroke(name, points, false); }
+  /// The same with a head at the last point.
+  void arrow(const char* name, std::vector<Vec3> points, double head) {
+    const Vec3 tip = points.back(), back = head * (points[points.size() - 2] - tip).normalized();
+    const Vec3 side = 0.4 * head * back.unitOrthogonal();
+    for (const Vec3& barb : {Vec3(tip + back + side), tip, Vec3(tip + back - side)}) points.push_back(barb);
+    line(name, points);
+  }
   void curve(const char* name, const std::vector<Vec3>& points) { stroke(name, points, true); }
   void import(const std::filesystem::path& file, const char* name) {
     FeatureId id;

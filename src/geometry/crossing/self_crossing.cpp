@@ -23,7 +23,7 @@ std::vector<Triangle3> trianglesOf(const SheetMesh& mesh) {
 
 Vec3 unitNormalOf(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
-/// Whether no solid has that winding number: it is enclosed twice or inside out.
+/// Whether no solid has that winding number: it is enclosed twice or inside out. A void has 0, whether it is meant or not.
 bool isWrong(int winding) { return winding != 0 && winding != 1; }
 
 /// The space around triangles that meet.

@@ -1,7 +1,6 @@
 #include "kernel/arrangement/tight_faces.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 

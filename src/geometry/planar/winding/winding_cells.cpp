@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "geometry/planar/winding/wide_products.h"
 
 namespace blossom::planar {
@@ -27,10 +28,25 @@ Bounds boundsOf(std::span<const CountedEdge> edges) {
 
 }  // namespace
 
+template <class Fill>
+void WindingCells::forEachShare(int count, std::size_t edges, const Progress& progress, Fill fill) {
+  constexpr std::size_t fewForShares = 4096, many = 8;  // each share looks at all edges
+  const std::size_t shares = edges < fewForShares ? 1 : many;
+  const auto start = [&](std::size_t share) { return static_cast<int>(static_cast<std::size_t>(count) * share / shares); };
+  parallelFor(shares, 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t share = begin; share < end; ++share) fill(Columns{start(share), start(share + 1) - 1});
+  });
+}
+
 WindingCells::WindingCells(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
   layOut(edges);
-  windCorners(edges, progress);
-  listEdges(edges, rule, progress);
+  std::vector<Columns> near(edges.size());
+  constexpr std::size_t grain = 4096;
+  parallelFor(edges.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) near[k] = columnsNear(edges[k]);
+  });
+  windCorners(edges, near, progress);
+  listEdges(edges, near, rule, progress);
 }
 
 void WindingCells::layOut(std::span<const CountedEdge> edges) {
@@ -80,31 +96,41 @@ int WindingCells::rowAt(const CountedEdge& edge, int border) const {
   return sideOf(edge.from, edge.to, x, borderY(nearest)) <= 0 ? nearest : nearest - 1;  // the corner on the edge or below it
 }
 
-void WindingCells::windCorners(std::span<const CountedEdge> edges, const Progress& progress) {
+void WindingCells::windCorners(std::span<const CountedEdge> edges, std::span<const Columns> near, const Progress& progress) {
   corners_.assign(static_cast<std::size_t>(columns_.cells() + 1) * static_cast<std::size_t>(rows_.cells() + 1), 0);
-  for (const CountedEdge& edge : edges) {
-    progress.check();
-    const int first = cellOf(edge.from).column, last = cellOf(edge.to).column;
-    for (int border = first + 1; border <= last; ++border)
-      corners_[cornerIndex(border, rowAt(edge, border) + 1)] += edge.count;
-  }
-  for (int column = 0; column <= columns_.cells(); ++column)
-    for (int row = 1; row <= rows_.cells(); ++row)
-      corners_[cornerIndex(column, row)] += corners_[cornerIndex(column, row - 1)];
+  forEachShare(columns_.cells() + 1, edges.size(), progress, [&](const Columns& share) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (near[k].last < share.first || near[k].first > share.last) continue;
+      progress.check();
+      const int first = cellOf(edges[k].from).column, last = cellOf(edges[k].to).column;
+      for (int border = std::max(first + 1, share.first); border <= std::min(last, share.last); ++border)
+        corners_[cornerIndex(border, rowAt(edges[k], border) + 1)] += edges[k].count;
+    }
+    for (int column = share.first; column <= share.last; ++column)
+      for (int row = 1; row <= rows_.cells(); ++row)
+        corners_[cornerIndex(column, row)] += corners_[cornerIndex(column, row - 1)];
+  });
+}
+
+namespace {
+constexpr double reach = 1.5;  // a unit, and the rounding of what is computed here
+}
+
+WindingCells::Columns WindingCells::columnsNear(const CountedEdge& edge) const {
+  const double from = columns_.fromFirst(edge.from.x), to = columns_.fromFirst(edge.to.x);
+  return {columns_.cellAt(from - reach), columns_.cellAt(to + reach)};
 }
 
 /// All cells within a unit of the edge, and perhaps some more.
 template <class Visit>
-void WindingCells::forEachCellNear(const CountedEdge& edge, Visit visit) const {
+void WindingCells::forEachCellNear(const CountedEdge& edge, const Columns& of, const Columns& within, Visit visit) const {
   const GridPoint by = edge.to - edge.from;
   const double ax = columns_.fromFirst(edge.from.x), ay = rows_.fromFirst(edge.from.y);
   const double bx = ax + static_cast<double>(by.x), high = ay + static_cast<double>(by.y);
-  constexpr double reach = 1.5;  // a unit, and the rounding of what is computed here
-  const int first = columns_.cellAt(ax - reach), last = columns_.cellAt(bx + reach);
   const double slope = by.x == 0 ? 0 : static_cast<double>(by.y) / static_cast<double>(by.x);
-  for (int column = first; column <= last; ++column) {
+  for (int column = std::max(of.first, within.first); column <= std::min(of.last, within.last); ++column) {
     double from = ay, to = high;
-    if (first != last && by.x != 0) {
+    if (of.first != of.last && by.x != 0) {
       const double left = std::max(ax, columns_.at(column) - reach), right = std::min(bx, columns_.at(column + 1) + reach);
       if (left > ax) from = ay + (left - ax) * slope;
       if (right < bx) to = ay + (right - ax) * slope;
@@ -114,18 +140,8 @@ void WindingCells::forEachCellNear(const CountedEdge& edge, Visit visit) const {
   }
 }
 
-void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
-  const std::size_t cells = static_cast<std::size_t>(columns_.cells()) * static_cast<std::size_t>(rows_.cells());
-  std::vector<std::int64_t> changes(cells, 0);
-  firsts_.assign(cells + 1, 0);
-  for (const CountedEdge& edge : edges) {
-    progress.check();
-    forEachCellNear(edge, [&](const Cell& cell) {
-      changes[index(cell)] += std::abs(edge.count);
-      ++firsts_[index(cell) + 1];
-    });
-  }
-  for (int column = 0; column < columns_.cells(); ++column)
+void WindingCells::certify(const Columns& columns, WindingRule rule, std::span<const std::int64_t> changes) {
+  for (int column = columns.first; column <= columns.last; ++column)
     for (int row = 0; row < rows_.cells(); ++row) {
       const Cell cell{column, row};
       const std::int64_t winding = windingBelow(column, row), change = changes[index(cell)];
@@ -133,13 +149,35 @@ void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rul
       const bool out = winding - change >= rule.low && winding + change <= rule.high;
       if (in || out) firsts_[index(cell) + 1] = 0;
     }
+}
+
+void WindingCells::listEdges(std::span<const CountedEdge> edges, std::span<const Columns> near, WindingRule rule,
+                             const Progress& progress) {
+  const std::size_t cells = static_cast<std::size_t>(columns_.cells()) * static_cast<std::size_t>(rows_.cells());
+  std::vector<std::int64_t> changes(cells, 0);
+  firsts_.assign(cells + 1, 0);
+  const auto forEachEdge = [&](const Columns& share, auto visit) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (near[k].last < share.first || near[k].first > share.last) continue;
+      progress.check();
+      forEachCellNear(edges[k], near[k], share, [&](const Cell& cell) { visit(k, index(cell)); });
+    }
+  };
+  forEachShare(columns_.cells(), edges.size(), progress, [&](const Columns& share) {
+    forEachEdge(share, [&](std::size_t k, std::size_t cell) {
+      changes[cell] += std::abs(edges[k].count);
+      ++firsts_[cell + 1];
+    });
+    certify(share, rule, changes);
+  });
   for (std::size_t i = 0; i < cells; ++i) firsts_[i + 1] += firsts_[i];
   lists_.resize(firsts_.back());
   std::vector<std::uint32_t> next(firsts_.begin(), firsts_.end() - 1);
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    forEachCellNear(edges[k], [&](const Cell& cell) {
-      if (!certified(cell)) lists_[next[index(cell)]++] = static_cast<std::uint32_t>(k);
+  forEachShare(columns_.cells(), edges.size(), progress, [&](const Columns& share) {
+    forEachEdge(share, [&](std::size_t k, std::size_t cell) {
+      if (firsts_[cell] != firsts_[cell + 1]) lists_[next[cell]++] = static_cast<std::uint32_t>(k);
     });
+  });
 }
 
 }  // namespace blossom::planar

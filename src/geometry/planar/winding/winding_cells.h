@@ -17,7 +17,7 @@ struct WindingRule {
 /// A grid over edges, with equal cells where the edges are spread evenly and more of them where they crowd. The winding
 /// number at one corner of each cell comes exactly from sums along columns; a cell whose edges cannot change whether it is
 /// inside is certified and left out, the others list the edges that come near them. Borders lie at half-integers, so no end
-/// of an edge lies on one.
+/// of an edge lies on one. Filled on all cores, with the same result for any number of them.
 /// @pre edges as joinEqual returns them: from the lower to the higher point.
 class WindingCells {
  public:
@@ -69,11 +69,20 @@ class WindingCells {
   [[nodiscard]] std::size_t cornerIndex(int column, int row) const {
     return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_.cells() + 1) + static_cast<std::size_t>(row);
   }
+  /// Columns from `first` to `last`.
+  struct Columns {
+    int first, last;
+  };
+  [[nodiscard]] Columns columnsNear(const CountedEdge&) const;
   template <class Visit>
-  void forEachCellNear(const CountedEdge&, Visit) const;
+  void forEachCellNear(const CountedEdge&, const Columns& of, const Columns& within, Visit) const;
   void layOut(std::span<const CountedEdge>);
-  void windCorners(std::span<const CountedEdge>, const Progress&);
-  void listEdges(std::span<const CountedEdge>, WindingRule, const Progress&);
+  void windCorners(std::span<const CountedEdge>, std::span<const Columns> near, const Progress&);
+  void listEdges(std::span<const CountedEdge>, std::span<const Columns> near, WindingRule, const Progress&);
+  void certify(const Columns&, WindingRule, std::span<const std::int64_t> changes);
+  /// Calls fill(columns) for disjoint ranges that cover [0, count), on all cores.
+  template <class Fill>
+  static void forEachShare(int count, std::size_t edges, const Progress&, Fill fill);
 
   CellBorders columns_{0, 0, 1}, rows_{0, 0, 1};
   std::vector<int> corners_;

@@ -43,6 +43,24 @@ std::set<Cell> halves(const std::set<Cell>& cells) {
   return result;
 }
 
+struct Block {
+  Cell low, high;
+};
+
+/// Cuts a block in two, and these again, and leaves out every fourth of what stays whole.
+void cutUp(const Block& block, std::mt19937_64& random, std::vector<Block>& blocks) {
+  const auto axis = std::uniform_int_distribution<std::size_t>(0, 2)(random);
+  const int length = block.high[axis] - block.low[axis];
+  if (length == 1 || std::bernoulli_distribution(0.2)(random)) {
+    if (std::bernoulli_distribution(0.75)(random)) blocks.push_back(block);
+    return;
+  }
+  Block first = block, second = block;
+  first.high[axis] = second.low[axis] = block.low[axis] + std::uniform_int_distribution(1, length - 1)(random);
+  cutUp(first, random, blocks);
+  cutUp(second, random, blocks);
+}
+
 /// Volume of cells + [0, 1/2]^3, counted.
 double volumeOfSum(const std::set<Cell>& cells) {
   std::set<Cell> result;
@@ -107,8 +125,6 @@ class MorphologyTouchingTest : public QObject {
     }
   }
 
-  // The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
-  /// Each cell with all of its six walls, as an assembly of bricks comes from a file.
   /// Hollows within a block, which touch one another along edges and in corners.
   void hollowsThatTouchOneAnother() {
     for (const std::vector<Cell>& hollows : std::vector<std::vector<Cell>>{{{1, 1, 1}, {2, 2, 1}},
@@ -127,25 +143,40 @@ class MorphologyTouchingTest : public QObject {
     }
   }
 
+  /// Each cell with all of its six walls, as an assembly of bricks comes from a file.
   void bricksThatShareWallsAreOneSolid() {
     std::mt19937_64 random = seededRandom();
     for (int run = 0; run < 10; ++run) {
       const std::set<Cell> cells = randomCells(random, 3);
       Mesh bricks;
-      for (const auto& [x, y, z] : cells) {
-        const Mesh brick = cuboid(Vec3(x, y, z), Vec3(x + 1, y + 1, z + 1));
-        const int first = static_cast<int>(bricks.points.size());
-        bricks.points.insert(bricks.points.end(), brick.points.begin(), brick.points.end());
-        for (std::size_t f = 0; f < brick.faceCount(); ++f) {
-          std::vector<int> face(brick.face(f).begin(), brick.face(f).end());
-          for (int& v : face) v += first;
-          bricks.addFace(face);
-        }
-      }
+      for (const auto& [x, y, z] : cells) bricks = together(bricks, cuboid(Vec3(x, y, z), Vec3(x + 1, y + 1, z + 1)));
       COMPARE_NEAR(volumeOf(solidSumOf(bricks, cuboid({0, 0, 0}, {0.5, 0.5, 0.5}))), volumeOfSum(cells), 1e-9);
     }
   }
 
+  /// Blocks of a block that was cut up, some left out: they touch in parts of faces, flush on some sides only.
+  void blocksOfManySizesAreOneSolid() {
+    std::mt19937_64 random = seededRandom();
+    for (int run = 0; run < 40; ++run) {
+      std::vector<Block> blocks;
+      cutUp({{0, 0, 0}, {4, 4, 4}}, random, blocks);
+      std::set<Cell> cells;
+      Mesh solid;
+      for (const auto& [low, high] : blocks) {
+        solid = together(solid, cuboid(Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])));
+        for (int x = low[0]; x < high[0]; ++x)
+          for (int y = low[1]; y < high[1]; ++y)
+            for (int z = low[2]; z < high[2]; ++z) cells.insert({x, y, z});
+      }
+      if (cells.empty()) continue;
+      const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+      COMPARE_NEAR(volumeOf(solidSumOf(solid, half)), volumeOfSum(cells), 1e-9);
+      if (volumeOfDifference(cells) > 0)
+        COMPARE_NEAR(volumeOf(solidDifferenceOf(solid, half)), volumeOfDifference(cells), 1e-9);
+    }
+  }
+
+  /// The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
   void bodiesThatMeetAreOneAtTheEnds() {
     const Mesh cube = unitCell();
     const Mesh overlapping = together(cube, movedBy(cube, {0.5, 0.25, 0.125}));

@@ -79,12 +79,29 @@ class Round {
   Vec3 from_, axis_, x_, y_;
 };
 
+constexpr double together = 1e-12;  ///< radians: faces round an edge that lie on each other
+
+double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+/// Of faces that lie on each other, those that run forwards first: what is between them is then the gap of two bodies that
+/// touch, never a body without thickness, which would connect the two.
+void putGapsBetween(std::vector<std::pair<double, Side>>& sorted) {
+  const std::size_t n = sorted.size();
+  for (std::size_t round = 0; round < n; ++round)
+    for (std::size_t k = 0; k < n; ++k) {
+      auto& [here, side] = sorted[k];
+      auto& [there, next] = sorted[(k + 1) % n];
+      if (!side.forward && next.forward && angleBetween(here, there) <= together) std::swap(side, next);
+    }
+}
+
 /// Clockwise of a face that runs forwards along the edge lies the inside, up to the next face that runs backwards.
 std::vector<std::pair<Side, Side>> wedges(const Mesh& mesh, std::span<const Side> sides) {
   const Round round(mesh, sides[0].edge.first, sides[0].edge.second);
   std::vector<std::pair<double, Side>> sorted;
   for (const Side& side : sides) sorted.emplace_back(round.angle(side), side);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  putGapsBetween(sorted);
   std::vector<std::pair<Side, Side>> pairs;
   std::vector<bool> used(sorted.size());
   const std::size_t n = sorted.size();
@@ -193,7 +210,6 @@ Mesh withSharedCorners(const Mesh& mesh) {
 
 /// Around the edge, faces that run forwards and backwards take turns. Faces in one direction count as in order.
 bool takeTurns(const Mesh& mesh, std::span<const Side> sides) {
-  constexpr double together = 1e-12;  // radians
   const Round round(mesh, sides[0].edge.first, sides[0].edge.second);
   std::vector<std::pair<double, bool>> sorted;
   for (const Side& side : sides) sorted.emplace_back(round.angle(side), side.forward);
@@ -201,12 +217,10 @@ bool takeTurns(const Mesh& mesh, std::span<const Side> sides) {
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const auto& [here, forward] = sorted[k];
     const auto& [there, alsoForward] = sorted[(k + 1) % sorted.size()];
-    const double apart = std::abs(std::remainder(there - here, 2 * std::numbers::pi));
-    if (forward == alsoForward && apart > together) {
+    if (forward == alsoForward && angleBetween(there, here) > together) {
       // Of faces that lie on each other the sort has taken one first: the other may be the one that is next.
       const auto swaps = [&](std::size_t at, std::size_t with) {
-        return sorted[at].second != sorted[with].second &&
-               std::abs(std::remainder(sorted[at].first - sorted[with].first, 2 * std::numbers::pi)) <= together;
+        return sorted[at].second != sorted[with].second && angleBetween(sorted[at].first, sorted[with].first) <= together;
       };
       const std::size_t n = sorted.size(), next = (k + 1) % n;
       if (!swaps(k, (k + n - 1) % n) && !swaps(next, (next + 1) % n)) return false;

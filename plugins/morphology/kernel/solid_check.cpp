@@ -114,6 +114,22 @@ Error enclosesNothing(const Subject& subject) {
                "Choose a solid or a closed mesh.");
 }
 
+/// @param shared as withSharedPoints() returns it
+CheckedSolid checkedShells(const Mesh& shared, double step, const Subject& subject, const Progress& progress) {
+  if (shared.faceCount() == 0) throw enclosesNothing(subject);
+  refuseOpen(shared, meshTopology(shared, progress), subject);
+  CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(shared, progress).first, progress), subject), {}};
+  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step, progress);
+  turnOutwards(solid, subject, progress);
+  if (solid.bodyInBody)
+    solid.warnings.push_back(fmt::format("{} has a body near {} that lies within another one: both are taken as one.",
+                                         subject.name, subject.place(*solid.bodyInBody)));
+  if (signedVolume(solid.triangles) <= 1e-12 * bounds(solid.triangles).diagonal() * area(solid.triangles))
+    throw enclosesNothing(subject);
+  refuseCrossing(solid, subject, progress);
+  return solid;
+}
+
 }  // namespace
 
 void refuseUnusable(const Mesh& mesh, const Subject& subject) {
@@ -146,18 +162,18 @@ CheckedSolid checkedSolid(const Mesh& mesh, double step, const Subject& subject,
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: all of its faces are without area.", subject.name),
                 "Choose a solid or a closed mesh.");
   const Mesh outer = withoutInnerWalls(shared, progress);
-  if (outer.faceCount() == 0) throw enclosesNothing(subject);
-  refuseOpen(outer, meshTopology(outer, progress), subject);
-  CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};
-  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step, progress);
-  turnOutwards(solid, subject, progress);
-  if (solid.bodyInBody)
-    solid.warnings.push_back(fmt::format("{} has a body near {} that lies within another one: both are taken as one.",
-                                         subject.name, subject.place(*solid.bodyInBody)));
-  if (signedVolume(solid.triangles) <= 1e-12 * bounds(solid.triangles).diagonal() * area(solid.triangles))
-    throw enclosesNothing(subject);
-  refuseCrossing(solid, subject, progress);
-  return solid;
+  try {
+    return checkedShells(outer, step, subject, progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput || outer.faceCount() == shared.faceCount()) throw;
+    // Bodies in a ring, joined where they share whole faces and touching in a part of one: apart they only touch.
+    try {
+      return checkedShells(shared, step, subject, progress);
+    } catch (const Error& other) {
+      if (other.code() != ErrorCode::InvalidInput) throw;
+    }
+    throw;
+  }
 }
 
 }  // namespace blossom::morphology

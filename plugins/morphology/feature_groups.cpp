@@ -30,6 +30,7 @@ Value statsOf(const MorphologyStats& stats) {
     all["of_corners_and_faces"] = stats.families[0];
     all["of_faces_and_corners"] = stats.families[1];
     all["of_edges"] = stats.families[2];
+    all["deep_inside"] = stats.leftOut;
   }
   return all;
 }

@@ -30,9 +30,10 @@ enum class Way {
 struct MorphologyStats {
   Way way = Way::Arranged;     ///< of the last frame
   std::size_t candidates = 0;  ///< facets that may bound the sums
-  /// Those of them that were arranged, by what they are made of (section 2.2): a corner of the first shape and a face of the
+  /// Those of them of arranged sums, by what they are made of (section 2.2): a corner of the first shape and a face of the
   /// second, a face and a corner, two edges.
   std::array<std::size_t, 3> families{};
+  std::size_t leftOut = 0;   ///< of the candidates: they lie deep inside, and were not arranged
   std::size_t pairings = 0;  ///< searches for them; the frames of a morph of two solids share one
   double largestSize = 0;    ///< of which `melted` leaves anything, when it was asked for
   double checkMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;

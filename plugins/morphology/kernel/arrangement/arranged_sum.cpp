@@ -238,22 +238,35 @@ bool haveVolume(const Features& a, const Features& b) {
   return false;
 }
 
+enum class DeepOnes { LeftOut, Kept };
+
+/// Whether so many pairs are worth a core, which takes some milliseconds.
+bool areMany(const FeaturePairs& pairs) {
+  constexpr std::size_t many = 3000;
+  return pairs.facesAndCorners.size() + pairs.cornersAndFaces.size() + pairs.edges.size() > many;
+}
+
 /// Behind the facets of two thin pieces there is their sum only when it has volume. Of a complement there are no pieces.
-std::vector<Facet> facetsOf(const Summand& a, const Summand& b, Planes& planes, Points& points, bool insideOut,
-                            const FeaturePairs* kept, const Progress& progress) {
-  const auto found = [&](const Features& p, const Features& q) {
-    FeaturePairs pairs = nearPairs(p, q, 0, progress);
-    if (insideOut) leaveOutTightFaces(pairs, p, q);
-    return candidates(p, q, pairs, planes, points, progress);
+Candidates candidatesOf(const Summand& a, const Summand& b, Planes& planes, Points& points, bool insideOut, DeepOnes deep,
+                        const FeaturePairs* kept, const Progress& progress) {
+  const auto ofPairs = [&](const FeaturePairs& pairs) {
+    std::optional<SumCore> core;
+    if (deep == DeepOnes::LeftOut && areMany(pairs)) core.emplace(a.whole, b.whole, insideOut, progress);
+    return candidates(a.whole, b.whole, pairs, core ? &*core : nullptr, planes, points, progress);
   };
-  if (kept) return candidates(a.whole, b.whole, *kept, planes, points, progress);
-  if (a.pieces.empty() || b.pieces.empty()) return found(a.whole, b.whole);
-  std::vector<Facet> all;
+  if (kept) return ofPairs(*kept);
+  if (a.pieces.empty() || b.pieces.empty()) {
+    FeaturePairs pairs = nearPairs(a.whole, b.whole, 0, progress);
+    if (insideOut) leaveOutTightFaces(pairs, a.whole, b.whole);
+    return ofPairs(pairs);
+  }
+  Candidates all;
   for (const Features& p : a.pieces)
     for (const Features& q : b.pieces) {
       if (!haveVolume(p, q)) continue;
-      const std::vector<Facet> more = found(p, q);
-      all.insert(all.end(), more.begin(), more.end());
+      const Candidates more = candidates(p, q, nearPairs(p, q, 0, progress), nullptr, planes, points, progress);
+      all.facets.insert(all.facets.end(), more.facets.begin(), more.facets.end());
+      for (std::size_t family = 0; family < more.found.size(); ++family) all.found[family] += more.found[family];
     }
   return all;
 }
@@ -264,13 +277,14 @@ ArrangedSum arranged(const Summand& a, const Summand& b, double step, bool insid
   Planes planes;
   Points points(planes);
   progress.report(0, "Pairing faces");
-  const std::vector<Facet> facets = facetsOf(a, b, planes, points, insideOut, kept, progress);
+  const Candidates found = candidatesOf(a, b, planes, points, insideOut, DeepOnes::LeftOut, kept, progress);
   ArrangedSum made;
-  for (const Facet& facet : facets) ++made.candidates[static_cast<std::size_t>(facet.family)];
+  made.candidates = found.found;
+  made.leftOut = found.leftOut;
   made.candidatesMs = watch.lapMs();
   progress.report(0.2, "Cutting faces");
-  const std::vector<Meeting> found = meetings(facets, planes, points, progress);
-  const std::vector<Group> groups = groupsByPlane(facets, found, planes);
+  const std::vector<Meeting> meeting = meetings(found.facets, planes, points, progress);
+  const std::vector<Group> groups = groupsByPlane(found.facets, meeting, planes);
   Tiling tiling(planes, points);
   tiling.add(groups, progress);
   made.arrangementMs = watch.lapMs();
@@ -307,7 +321,8 @@ std::optional<std::vector<SumFacet>> sumFacets(const Term& a, const Term& b, dou
   Planes planes;
   Points points(planes);
   std::vector<SumFacet> made;
-  for (const Facet& facet : facetsOf(both->first, both->second, planes, points, false, nullptr, progress)) {
+  const Candidates found = candidatesOf(both->first, both->second, planes, points, false, DeepOnes::Kept, nullptr, progress);
+  for (const Facet& facet : found.facets) {
     SumFacet& placed = made.emplace_back(SumFacet{static_cast<std::size_t>(facet.family), {}});
     for (std::size_t k = 0; k < facet.count; ++k)
       placed.corners.emplace_back(step * inDoubles(points.grid(facet.corners[k])));

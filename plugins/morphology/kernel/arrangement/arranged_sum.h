@@ -25,6 +25,7 @@ struct ArrangedSum {
   Mesh triangles;  ///< closed and oriented; corners are rounded to doubles. Without faces: it has no volume
   /// Facets that may bound it: of corners of a and faces of b, of faces of a and corners of b, of edges.
   std::array<std::size_t, 3> candidates{};
+  std::size_t leftOut = 0;  ///< of these: deep inside, not arranged
   double candidatesMs = 0, arrangementMs = 0, cellsMs = 0;
 };
 

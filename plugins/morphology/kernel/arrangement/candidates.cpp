@@ -85,12 +85,19 @@ struct Draft {
   Planes::Directed plane;
 };
 
+/// Drafts of some pairs of features.
+struct Drafts {
+  std::vector<Draft> all;
+  FacetCounts found{};
+  std::size_t leftOut = 0;
+};
+
 /// Drafts of the facets that two features make.
 class Drafting {
  public:
-  Drafting(const Features& a, const Features& b) : a_(a), b_(b) {}
+  Drafting(const Features& a, const Features& b, const SumCore* core) : a_(a), b_(b), core_(core) {}
 
-  void faceAtCorner(int face, int corner, bool faceOfA, std::vector<Draft>& made) const {
+  void faceAtCorner(int face, int corner, bool faceOfA, Drafts& made) const {
     const Features &flat = faceOfA ? a_ : b_, &sharp = faceOfA ? b_ : a_;
     const Features::Face& here = flat.faces[static_cast<std::size_t>(face)];
     if (!supports(here, sharp.corners[static_cast<std::size_t>(corner)])) return;
@@ -101,7 +108,7 @@ class Drafting {
     add(draft, here.normal, made);
   }
 
-  void edgeAtEdge(int edgeOfA, int edgeOfB, std::vector<Draft>& made) const {
+  void edgeAtEdge(int edgeOfA, int edgeOfB, Drafts& made) const {
     const Features::Edge &e = a_.edges[static_cast<std::size_t>(edgeOfA)], &f = b_.edges[static_cast<std::size_t>(edgeOfB)];
     const Ways ways = supporting(a_, e, b_, f);
     if (!ways.along && !ways.against) return;
@@ -119,12 +126,24 @@ class Drafting {
     if (!firstThenSecond) std::swap(draft.corners[1], draft.corners[3]);
     return draft;
   }
-  void add(Draft draft, const Normal3& normal, std::vector<Draft>& made) const {
+  void add(Draft draft, const Normal3& normal, Drafts& made) const {
+    ++made.found[static_cast<std::size_t>(draft.family)];
+    if (isInCore(draft)) {
+      ++made.leftOut;
+      return;
+    }
     draft.plane = Planes::directed(normal, placeOf(a_, b_, draft.corners[0]));
-    made.push_back(draft);
+    made.all.push_back(draft);
+  }
+  [[nodiscard]] bool isInCore(const Draft& draft) const {
+    if (!core_) return false;
+    std::array<Grid3, 4> corners;
+    for (std::size_t k = 0; k < draft.count; ++k) corners[k] = placeOf(a_, b_, draft.corners[k]);
+    return core_->holds({corners.data(), draft.count});
   }
 
   const Features &a_, &b_;
+  const SumCore* core_;
 };
 
 /// Makes facets of drafts, one after the other: points and planes are shared.
@@ -133,6 +152,15 @@ class FacetMaker {
   FacetMaker(const Features& a, const Features& b, Planes& planes, Points& points)
       : planes_(planes), points_(points), sums_(a, b, points) {}
 
+  void add(const Drafts& drafts) {
+    for (const Draft& draft : drafts.all) add(draft);
+    for (std::size_t family = 0; family < drafts.found.size(); ++family) made_.found[family] += drafts.found[family];
+    made_.leftOut += drafts.leftOut;
+  }
+
+  Candidates made() { return std::move(made_); }
+
+ private:
   void add(const Draft& draft) {
     Facet facet;
     facet.family = draft.family;
@@ -142,16 +170,13 @@ class FacetMaker {
     facet.plane = plane;
     facet.sameWay = sameWay;
     for (std::size_t k = 0; k < facet.count; ++k) points_.note(facet.corners[k], plane);
-    made_.push_back(facet);
+    made_.facets.push_back(facet);
   }
 
-  std::vector<Facet> made() { return std::move(made_); }
-
- private:
   Planes& planes_;
   Points& points_;
   Sums sums_;
-  std::vector<Facet> made_;
+  Candidates made_;
 };
 
 /// Facets of all pairs, drafted beside each other by draft(pair, drafts).
@@ -161,33 +186,33 @@ void addFacets(const std::vector<FeaturePairs::Pair>& pairs, FacetMaker& maker, 
   constexpr std::size_t pairsOfPart = 1024, partsAtATime = 256;
   for (std::size_t start = 0; start < pairs.size(); start += pairsOfPart * partsAtATime) {
     const std::size_t left = pairs.size() - start;
-    std::vector<std::vector<Draft>> parts(std::min(partsAtATime, (left + pairsOfPart - 1) / pairsOfPart));
+    std::vector<Drafts> parts(std::min(partsAtATime, (left + pairsOfPart - 1) / pairsOfPart));
     parallelFor(parts.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t part = first; part < last; ++part) {
         const std::size_t from = start + part * pairsOfPart;
         for (std::size_t k = from; k < std::min(from + pairsOfPart, pairs.size()); ++k) draft(pairs[k], parts[part]);
       }
     });
-    for (const std::vector<Draft>& part : parts) {
+    for (const Drafts& part : parts) {
       progress.check();
-      for (const Draft& each : part) maker.add(each);
+      maker.add(part);
     }
   }
 }
 
 }  // namespace
 
-std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs& pairs, Planes& planes,
-                              Points& points, const Progress& progress) {
-  const Drafting drafting(a, b);
+Candidates candidates(const Features& a, const Features& b, const FeaturePairs& pairs, const SumCore* core, Planes& planes,
+                      Points& points, const Progress& progress) {
+  const Drafting drafting(a, b, core);
   FacetMaker maker(a, b, planes, points);
   using Pair = FeaturePairs::Pair;
   addFacets(pairs.facesAndCorners, maker, progress,
-            [&](const Pair& pair, std::vector<Draft>& made) { drafting.faceAtCorner(pair[0], pair[1], true, made); });
+            [&](const Pair& pair, Drafts& made) { drafting.faceAtCorner(pair[0], pair[1], true, made); });
   addFacets(pairs.cornersAndFaces, maker, progress,
-            [&](const Pair& pair, std::vector<Draft>& made) { drafting.faceAtCorner(pair[1], pair[0], false, made); });
+            [&](const Pair& pair, Drafts& made) { drafting.faceAtCorner(pair[1], pair[0], false, made); });
   addFacets(pairs.edges, maker, progress,
-            [&](const Pair& pair, std::vector<Draft>& made) { drafting.edgeAtEdge(pair[0], pair[1], made); });
+            [&](const Pair& pair, Drafts& made) { drafting.edgeAtEdge(pair[0], pair[1], made); });
   return maker.made();
 }
 

@@ -4,6 +4,7 @@
 #include "core/progress.h"
 #include "kernel/arrangement/pairs.h"
 #include "kernel/arrangement/points.h"
+#include "kernel/arrangement/sum_core.h"
 
 namespace blossom::morphology::arrangement {
 
@@ -21,9 +22,19 @@ struct Facet {
   [[nodiscard]] int corner(std::size_t k) const { return corners[k % count]; }
 };
 
+/// How many facets there are of each family.
+using FacetCounts = std::array<std::size_t, 3>;
+
+struct Candidates {
+  std::vector<Facet> facets;
+  FacetCounts found{};      ///< by their families
+  std::size_t leftOut = 0;  ///< of those found: in the core
+};
+
 /// Facets that cover the boundary of a + b: a face of one at a corner of the other that its normal supports, and
 /// parallelograms of two convex edges whose common normal supports both (the paper's DHS test, on triangles), of the given
-/// pairs. @throws Error Cancelled.
-std::vector<Facet> candidates(const Features& a, const Features& b, const FeaturePairs&, Planes&, Points&, const Progress&);
+/// pairs; without those in the core of the sum, if one is given. @throws Error Cancelled.
+Candidates candidates(const Features& a, const Features& b, const FeaturePairs&, const SumCore*, Planes&, Points&,
+                      const Progress&);
 
 }  // namespace blossom::morphology::arrangement

@@ -60,11 +60,12 @@ Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, 
               double from, double to, const arrangement::FeaturePairs* kept) {
   if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
   Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to, kept);
-  if (sum.faceCount() == 0 && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b);
+  const bool isLess = sum.faceCount() == 0 || (isSolid(a) && isSolid(b) && !reachesAsFar(sum, a, weightA, b, weightB));
+  if (isLess && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b);
   if (sum.faceCount() == 0 && !isSolid(a) && !isSolid(b))
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");
-  if (sum.faceCount() == 0 || (isSolid(a) && isSolid(b) && !reachesAsFar(sum, a, weightA, b, weightB)))
+  if (isLess)
     throw Error(ErrorCode::Internal, fmt::format("The sum of {} and {} has lost a part.", a.name, b.name),
                 "Please report the two shapes.");
   return sum;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "kernel/finished.h"
 #include "kernel/self_crossing.h"
 #include "kernel/side_by_side.h"
 
@@ -52,7 +53,12 @@ Prepared Work::asOperand(const Mesh& triangles, const std::string& name, const C
   Operand rounded;
   rounded.name = name;
   rounded.mesh = finished(triangles, Vec3::Zero(), slivers, progress_.part(from, (from + to) / 2)).mesh;
-  return prepared(rounded, grid, progress_.part((from + to) / 2, to));
+  try {
+    return prepared(rounded, grid, progress_.part((from + to) / 2, to));
+  } catch (const Error& error) {  // not what the user gave
+    if (error.code() != ErrorCode::InvalidInput) throw;
+    throw CannotBeRounded("On the way to the result, rounding makes faces cross: " + error.message());
+  }
 }
 
 Prepared Work::united(Prepared operand, const CommonGrid& grid, double from, double to) {
@@ -88,6 +94,7 @@ Mesh Work::taken(std::optional<ArrangedSum> made, const Prepared& operand) {
     stats_.candidates += made->candidates[family];
     stats_.families[family] += made->candidates[family];
   }
+  stats_.leftOut += made->leftOut;
   stats_.sumMs += made->candidatesMs;
   stats_.uniteMs += made->arrangementMs + made->cellsMs;
   return std::move(made->triangles);

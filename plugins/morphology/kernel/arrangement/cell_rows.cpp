@@ -1,0 +1,135 @@
+#include "kernel/arrangement/cell_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "geometry/mesh/closed_triangles.h"
+#include "geometry/numeric/union_find.h"
+
+namespace blossom::morphology::arrangement {
+
+void CellRows::mark(Cell low, Cell high) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = std::max(low[k], 0);
+    high[k] = std::min(high[k], cells_[k] - 1);
+    if (low[k] > high[k]) return;
+  }
+  const Row marked = bits(low[0], high[0]);
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y) row(y, z) |= marked;
+}
+
+bool CellRows::all(const Cell& low, const Cell& high) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (low[k] < 0 || high[k] >= cells_[k]) return false;
+  const Row asked = bits(low[0], high[0]);
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      if ((row(y, z) & asked) != asked) return false;
+  return true;
+}
+
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;  // in cells
+
+/// Marks the cells that a triangle touches, and some beside it.
+void markTouched(const Corners& t, CellRows& touched) {
+  const Eigen::Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  if ((high - low).maxCoeff() <= 1) {
+    const TouchedCells box(low, high);
+    touched.mark(box.low, box.high);
+    return;
+  }
+  const Corners middles{(t[1] + t[2]) / 2, (t[2] + t[0]) / 2, (t[0] + t[1]) / 2};
+  markTouched(middles, touched);
+  for (std::size_t k = 0; k < 3; ++k) markTouched({t[k], middles[(k + 2) % 3], middles[(k + 1) % 3]}, touched);
+}
+
+/// Neighbouring cells of a row that no face touches.
+struct Run {
+  int y, z, first, last;
+};
+
+/// Where the runs of each row begin, row after row, and the end.
+struct Runs {
+  std::vector<Run> all;
+  std::vector<std::size_t> starts;
+};
+
+Runs untouchedRuns(const CellRows& touched) {
+  Runs runs;
+  const auto [nx, ny, nz] = touched.cells();
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y) {
+      runs.starts.push_back(runs.all.size());
+      CellRows::Row left = ~touched.row(y, z) & CellRows::bits(0, nx - 1);
+      while (left != 0) {
+        const int first = std::countr_zero(left), last = first + std::countr_one(left >> first) - 1;
+        runs.all.push_back({y, z, first, last});
+        left &= ~CellRows::bits(first, last);
+      }
+    }
+  runs.starts.push_back(runs.all.size());
+  return runs;
+}
+
+/// Runs that have sides of cells in common are one group.
+UnionFind groupsOf(const Runs& runs, int rowsOfLayer) {
+  UnionFind groups(runs.all.size());
+  const auto join = [&](std::size_t row, std::size_t other) {
+    std::size_t k = runs.starts[other];
+    for (std::size_t i = runs.starts[row]; i < runs.starts[row + 1]; ++i) {
+      while (k < runs.starts[other + 1] && runs.all[k].last < runs.all[i].first) ++k;
+      for (std::size_t j = k; j < runs.starts[other + 1] && runs.all[j].first <= runs.all[i].last; ++j) groups.unite(i, j);
+    }
+  };
+  const auto rows = runs.starts.size() - 1, ofLayer = static_cast<std::size_t>(rowsOfLayer);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row % ofLayer != 0) join(row, row - 1);
+    if (row >= ofLayer) join(row, row - ofLayer);
+  }
+  return groups;
+}
+
+}  // namespace
+
+CellRows fullCells(const Features& shape, bool insideOut, const CellFrame& frame, const Progress& progress) {
+  std::vector<Triangle3> triangles;
+  triangles.reserve(shape.faces.size());
+  CellRows touched(frame.cells);
+  for (const Features::Face& face : shape.faces) {
+    progress.check();
+    const auto at = [&](std::size_t k) { return frame.inCells(shape.points[static_cast<std::size_t>(face.corners[k])]); };
+    triangles.push_back({at(0), at(1), at(2)});
+    markTouched({at(0), at(1), at(2)}, touched);
+  }
+  const Runs runs = untouchedRuns(touched);
+  UnionFind groups = groupsOf(runs, frame.cells[1]);
+  std::vector<std::size_t> longest(runs.all.size()), count(runs.all.size(), 0);
+  const auto length = [&](std::size_t run) {
+    return static_cast<std::size_t>(runs.all[run].last - runs.all[run].first + 1);
+  };
+  for (std::size_t i = 0; i < runs.all.size(); ++i) {
+    const std::size_t group = groups.find(i);
+    if (count[group] == 0 || length(i) > length(longest[group])) longest[group] = i;
+    count[group] += length(i);
+  }
+  constexpr std::size_t fewest = 8;  // smaller groups cover too little for a winding number
+  std::vector<bool> isFull(runs.all.size(), false);
+  CellRows full(frame.cells);
+  for (std::size_t i = 0; i < runs.all.size(); ++i) {
+    const std::size_t group = groups.find(i);
+    if (group == i && count[i] >= fewest) {
+      const Run& run = runs.all[longest[i]];
+      const Vec3 middle(0.5 + (run.first + run.last) / 2, 0.5 + run.y, 0.5 + run.z);
+      const double winding = windingNumber(triangles, middle, progress);
+      isFull[i] = insideOut ? std::abs(winding) < 0.5 : winding > 0.5;
+    }
+    if (isFull[group]) full.row(runs.all[i].y, runs.all[i].z) |= CellRows::bits(runs.all[i].first, runs.all[i].last);
+  }
+  return full;
+}
+
+}  // namespace blossom::morphology::arrangement

@@ -36,6 +36,18 @@ GrowOptions optionsOf(const GrowParameters& p, const Inputs& inputs, const std::
   return options;
 }
 
+/// Says which values have no effect: those of the ball beside an element, that of an element beside the ball.
+void warnOfUnused(const GrowParameters& p, bool byElement, Evaluated& out) {
+  const GrowParameters unset;
+  const bool isBallSet = p.radius != unset.radius || p.subdivisions != unset.subdivisions || p.fit != unset.fit;
+  if (byElement && isBallSet)
+    out.warnings.emplace_back(
+        "Radius, subdivisions and fit have no effect: they are of the ball. An element is taken as drawn, as many times as "
+        "large as `size` says.");
+  if (!byElement && p.size != unset.size)
+    out.warnings.emplace_back("The size has no effect: it is of an element. The ball has its radius.");
+}
+
 Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
   const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
   const std::vector<double> times = frameTimes(p.frames);
@@ -43,6 +55,7 @@ Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& 
   MorphologyResult made = operation(solid, options, progress);
   const double largest = made.stats.largestSize;
   Evaluated out = evaluatedFrom(std::move(made), times);
+  warnOfUnused(p, options.element.has_value(), out);
   if (options.untilNothing) out.stats[options.element ? "largest_size" : "largest_radius"] = largest;
   if (!options.element)
     out.stats["ball_deviation"] = ball({options.untilNothing ? largest : p.radius, p.subdivisions, p.fit}).deviation;

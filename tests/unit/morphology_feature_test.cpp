@@ -122,6 +122,28 @@ class MorphologyFeatureTest : public QObject {
     QVERIFY(made("inflate", Value::object(), {lBlock()}).stats.at("ball_deviation").get<double>() > 0);
   }
 
+  void facetsDeepInsideAreLeftOutOfLargeSums() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh large = spikyRing(random, 5, 3, 24), other = spikyRing(random, 4, 3, 24);
+    const Evaluated sum = made("solid-sum", Value::object(), {large, other});
+    const std::size_t deep = sum.stats.at("deep_inside").get<std::size_t>();
+    QVERIFY(deep > 0 && deep < sum.stats.at("candidates").get<std::size_t>());
+    QCOMPARE(made("solid-sum", Value::object(), {lBlock(), cornerTetrahedron()}).stats.at("deep_inside").get<int>(), 0);
+  }
+
+  void valuesWithoutEffectAreTold() {
+    const Shape block = cuboid({0, 0, 0}, {9, 9, 9}), element = cuboid({-1, -1, -1}, {1, 1, 1});
+    for (const char* operation : {"melt", "inflate"}) {
+      QVERIFY(made(operation, {{"radius", 2}}, {block}).warnings.empty());
+      QVERIFY(made(operation, {{"size", 2}}, {block, element}).warnings.empty());
+      for (const Evaluated& told :
+           {made(operation, {{"radius", 2}}, {block, element}), made(operation, {{"size", 2}}, {block})}) {
+        QCOMPARE(told.warnings.size(), std::size_t{1});
+        QVERIFY2(told.warnings[0].find("no effect") != std::string::npos, told.warnings[0].c_str());
+      }
+    }
+  }
+
   void longWorkIsCancelledInTheMiddle() {
     const std::vector<Shape> inputs = secondsOfWork();
     const CancelToken token;

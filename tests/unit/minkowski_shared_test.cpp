@@ -1,6 +1,8 @@
 // Parts that lie against each other along curves, and what nearly fits into each other.
 #include <fmt/format.h>
 
+#include "geometry/bspline/bspline.h"
+#include "geometry/planar/planar.h"
 #include "geometry/planar/sums/region_sum.h"
 #include "geometry/planar/sums/set_operations.h"
 #include "support/regions.h"
@@ -102,6 +104,35 @@ class MinkowskiSharedTest : public QObject {
     const Region parts = dividedSquare(low, high, splineBetween(low, high), splineBetween(low, high));
     verifyIsSquare(parts, 1e-9);
     verifyIsSquare(placed(parts, 0.4, {70, -30}), 1e-9);
+  }
+
+  /// The right part is of two, which share the spline's lower and upper half, higher in degree and otherwise parametrised.
+  void partsOfASpline() {
+    const Vec2 low(8, 0), high(12, 20);
+    const Curve whole = toCurve(std::get<Spline2>(splineBetween(low, high).front()));
+    std::mt19937_64 random = seededRandom();
+    for (int run = 0; run < 20; ++run) {
+      const double t = std::uniform_real_distribution<double>(0.1, 0.9)(random);
+      const BezierCurve halves = toBezier(insertKnots(whole, std::vector<double>{t}));
+      const auto half = [&](std::size_t first) {
+        Curve made{3, {0, 0, 0, 0, 5, 5, 5, 5}, {}};
+        made.poles.assign(halves.poles.begin() + static_cast<std::ptrdiff_t>(first),
+                          halves.poles.begin() + static_cast<std::ptrdiff_t>(first) + 4);
+        return toSpline(elevateDegree(made, run % 3));
+      };
+      const Spline2 lower = half(0), upper = half(4);
+      const Vec2 middle = endPoint(lower);
+      Path left, under, over;
+      left.closed = under.closed = over.closed = true;
+      addLines(left, {{0, 20}, {0, 0}, low});
+      left.segments.push_back(splineBetween(low, high).front());
+      addLines(left, {high, {0, 20}});
+      addLines(under, {low, {20, 0}, {20, 10}, middle});
+      under.segments.push_back(reversed(lower));
+      addLines(over, {middle, {20, 10}, {20, 20}, high});
+      over.segments.push_back(reversed(upper));
+      verifyIsSquare(placed({{left, under, over}}, run, {10.0 * run, 5}), 1e-8);
+    }
   }
 
   void partsOfARing() {

@@ -12,6 +12,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/sound_region.h"
 #include "geometry/planar/segment_box.h"
+#include "geometry/planar/sums/shared_splines.h"
 
 namespace blossom::planar {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 struct BoundarySide {
   Segment segment;
   std::size_t next = 0;           ///< the side after it in its loop
-  std::vector<double> cuts = {};  ///< shares of a line or an arc, where others on it begin or end
+  std::vector<double> cuts = {};  ///< shares of the segment, where others on it begin or end
   bool isGone = false;
 };
 
@@ -39,6 +40,12 @@ std::optional<double> insideAt(const Arc2& arc, const Vec2& p, double rounding) 
   return turn / std::abs(arc.sweep);
 }
 
+std::optional<double> insideAt(const Spline2& spline, const Vec2& p, double rounding) {
+  if (!comeNear(boxAround(spline), Box2(p), rounding)) return std::nullopt;
+  if (isNear(startPoint(spline), p, rounding) || isNear(endPoint(spline), p, rounding)) return std::nullopt;
+  return shareAt(spline, p, rounding);
+}
+
 bool runOnOneCurve(const Line2& a, const Line2& b, double rounding) {
   const Vec2 along = a.to - a.from;
   const double size = along.norm();
@@ -48,6 +55,9 @@ bool runOnOneCurve(const Line2& a, const Line2& b, double rounding) {
 bool runOnOneCurve(const Arc2& a, const Arc2& b, double rounding) {
   return a.sweep * b.sweep < 0 && isNear(a.center, b.center, rounding) && std::abs(a.radius - b.radius) <= rounding;
 }
+
+/// Splines that only meet are cut in vain.
+bool runOnOneCurve(const Spline2&, const Spline2&, double) { return true; }
 
 /// Cuts both where the other one begins and ends on it. @returns whether there is such a place, or both have the same ends
 template <class Curve>
@@ -68,22 +78,6 @@ bool cutByEachOther(const Curve& a, const Curve& b, double rounding, BoundarySid
           isNear(endPoint(sideA.segment), startPoint(sideB.segment), rounding));
 }
 
-/// The same curve the same way, as far as rounding goes.
-bool areEqual(const Spline2& a, const Spline2& b, double rounding) {
-  if (a.degree != b.degree || a.poles.size() != b.poles.size() || a.knots.size() != b.knots.size()) return false;
-  const auto place = [](const Spline2& s, std::size_t k) {
-    return (s.knots[k] - s.knots.front()) / (s.knots.back() - s.knots.front());
-  };
-  for (std::size_t k = 0; k < a.knots.size(); ++k)
-    if (!(std::abs(place(a, k) - place(b, k)) <= 1e-9)) return false;
-  for (std::size_t k = 0; k < a.poles.size(); ++k) {
-    const Vec3 &p = a.poles[k], &q = b.poles[k];
-    if (std::abs(p.z() / a.poles[0].z() - q.z() / b.poles[0].z()) > 1e-9) return false;
-    if (!isNear(p.head<2>() / p.z(), q.head<2>() / q.z(), rounding)) return false;
-  }
-  return true;
-}
-
 /// Both ways of one curve, from end to end.
 bool areOpposite(const Segment& a, const Segment& b, double rounding) {
   if (a.index() != b.index() || !isNear(startPoint(a), endPoint(b), rounding) ||
@@ -94,7 +88,7 @@ bool areOpposite(const Segment& a, const Segment& b, double rounding) {
     const Arc2& other = std::get<Arc2>(b);
     return runOnOneCurve(*arc, other, rounding) && std::abs(arc->sweep + other.sweep) * arc->radius <= 4 * rounding;
   }
-  return areEqual(std::get<Spline2>(a), std::get<Spline2>(reversed(b)), rounding);
+  return runTogether(std::get<Spline2>(a), std::get<Spline2>(reversed(b)), rounding);
 }
 
 std::vector<Box2> boxesOf(const std::vector<BoundarySide>& sides) {
@@ -114,7 +108,7 @@ std::vector<BoundarySide> sidesOf(const Region& region) {
   return sides;
 }
 
-/// Marks the cuts. @returns whether a curve is shared
+/// Marks the cuts. @returns whether a curve may be shared
 bool cutSides(std::vector<BoundarySide>& sides, double rounding, const Progress& progress) {
   bool shared = false;
   forEachNearPair<2>(boxesOf(sides), rounding, progress, [&](std::size_t i, std::size_t j) {
@@ -125,7 +119,7 @@ bool cutSides(std::vector<BoundarySide>& sides, double rounding, const Progress&
     else if (const auto* arc = std::get_if<Arc2>(&a.segment))
       shared = cutByEachOther(*arc, std::get<Arc2>(b.segment), rounding, a, b) || shared;
     else
-      shared = areOpposite(a.segment, b.segment, rounding) || shared;
+      shared = cutByEachOther(std::get<Spline2>(a.segment), std::get<Spline2>(b.segment), rounding, a, b) || shared;
     return true;
   });
   return shared;
@@ -136,6 +130,7 @@ Segment partOf(const Segment& segment, double from, double to) {
     const auto at = [&](double share) { return share == 1 ? line->to : Vec2(line->from + share * (line->to - line->from)); };
     return Line2{at(from), at(to)};
   }
+  if (const auto* spline = std::get_if<Spline2>(&segment)) return splinePart(*spline, from, to);
   Arc2 arc = std::get<Arc2>(segment);
   arc.start += from * arc.sweep;
   arc.sweep *= to - from;
@@ -246,6 +241,8 @@ std::optional<Region> withoutSharedCurves(const Region& region, const Progress& 
   if (!cutSides(sides, rounding, progress)) return std::nullopt;
   sides = divided(sides);
   UnionFind places = cancelOpposites(sides, rounding, progress);
+  const auto isSharedCurve = [](const BoundarySide& side) { return side.isGone && side.segment.index() != 0; };
+  if (std::none_of(sides.begin(), sides.end(), isSharedCurve)) return std::nullopt;
   const auto on = waysOn(sides, places, size);
   if (!on) return std::nullopt;
   Region joined = joinedLoops(sides, *on);

@@ -57,7 +57,7 @@ Vec3 placeIn(Random& random, const std::vector<Vec3>& polygon) {
   return sum / weights;
 }
 
-std::vector<Grid3> onGrid(const std::vector<Vec3>& polygon) {
+std::vector<Grid3> inSteps(const std::vector<Vec3>& polygon) {
   std::vector<Grid3> corners;
   for (const Vec3& p : polygon) {
     Grid3& corner = corners.emplace_back();
@@ -76,7 +76,7 @@ Compared compared(Random& random, const SumCore& core, const Bounds& box, const 
   Compared result;
   for (int k = 0; k < 4000; ++k) {
     const std::vector<Vec3> polygon = polygonAnywhere(random, box);
-    if (!core.holds(onGrid(polygon))) continue;
+    if (!core.holds(inSteps(polygon))) continue;
     ++result.held;
     for (const Vec3& corner : polygon)
       if (!isIn(corner)) result.wrong = corner;
@@ -128,7 +128,7 @@ class MorphologyCoreTest : public QObject {
     const Mesh cube = triangulated(cuboid({0, 0, 0}, {4, 4, 4})).first;
     const std::vector<std::vector<Vec3>> segment{{Vec3(0, 0, 0), Vec3(10, 0, 0)}};
     const SumCore core(*featuresOf(cube, 1, step), featuresOf(segment, 1, step), false, Progress::none());
-    const auto isHeld = [&](const Vec3& p) { return core.holds(onGrid({p, p + Vec3(0.1, 0, 0), p + Vec3(0, 0.1, 0)})); };
+    const auto isHeld = [&](const Vec3& p) { return core.holds(inSteps({p, p + Vec3(0.1, 0, 0), p + Vec3(0, 0.1, 0)})); };
     for (const double x : {1.0, 4.0, 7.0, 11.0, 13.0}) QVERIFY(isHeld({x, 2, 2}));
     for (const double x : {-0.05, 14.0, 20.0}) QVERIFY(!isHeld({x, 2, 2}));
     QVERIFY(!isHeld({7, 4.01, 2}) && !isHeld({7, 2, -0.01}));

@@ -176,6 +176,21 @@ class MorphologyTouchingTest : public QObject {
     }
   }
 
+  /// Turned, walls that lie on each other overlap or gape by what rounding does.
+  void turnedBodiesThatTouchAreOneSolid() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh low = cuboid({0, 0, 0}, {4, 4, 2}), half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+    for (int run = 0; run < 12; ++run) {
+      const bool isFlush = run % 2 == 0;
+      const Mesh high = isFlush ? cuboid({0, 1, 2}, {3, 3, 4}) : cuboid({1, 1, 2}, {3, 3, 4});
+      const Eigen::Matrix3d turn = randomTurn(random);
+      const MorphologyResult made =
+          solidDifference(bodyOf(turnedBy(together(low, high), turn)), bodyOf(turnedBy(half, turn)));
+      COMPARE_NEAR(volumeOf(made.solids.front()), 3.5 * 3.5 * 1.5 + (isFlush ? 2.5 : 1.5) * 1.5 * 2, 1e-9);
+      QVERIFY(!made.warnings.empty() && made.warnings.front().find("touch or overlap") != std::string::npos);
+    }
+  }
+
   /// The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
   void bodiesThatMeetAreOneAtTheEnds() {
     const Mesh cube = unitCell();

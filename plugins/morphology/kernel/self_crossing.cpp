@@ -13,6 +13,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/triangle_crossing.h"
 #include "kernel/manifold.h"
+#include "kernel/near_walls.h"
 
 namespace blossom::morphology {
 
@@ -123,7 +124,7 @@ Mesh withoutDegenerate(const Mesh& triangles, const Subject& subject) {
   return mended;
 }
 
-void refuseCrossing(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
+void refuseCrossing(CheckedSolid& solid, double near, const Subject& subject, const Progress& progress) {
   const MeshTopology topology = meshTopology(solid.triangles, progress);
   Crossings found = crossingsOf(trianglesOf(solid.triangles, topology.componentOfFace), progress);
   if (const auto twisted = firstTwistedEdge(solid.triangles, progress); twisted && !found.within) {
@@ -136,6 +137,11 @@ void refuseCrossing(CheckedSolid& solid, const Subject& subject, const Progress&
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} crosses or touches itself near {}.", subject.name, subject.place(*found.within)),
                 "Repair the mesh in the program that made it.");
+  if (topology.components.size() > 1) {
+    const auto wall = firstNearWall(solid.triangles, topology.componentOfFace, near, progress);
+    solid.wallsNear = wall.has_value();
+    if (wall && !found.between) found.between = wall;
+  }
   if (found.between)
     solid.warnings.push_back(fmt::format("{} has bodies that touch or overlap near {}; they count as one.", subject.name,
                                          subject.place(*found.between)));

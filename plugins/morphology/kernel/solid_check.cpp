@@ -126,7 +126,8 @@ CheckedSolid checkedShells(const Mesh& shared, double step, const Subject& subje
                                          subject.name, subject.place(*solid.bodyInBody)));
   if (signedVolume(solid.triangles) <= 1e-12 * bounds(solid.triangles).diagonal() * area(solid.triangles))
     throw enclosesNothing(subject);
-  refuseCrossing(solid, subject, progress);
+  constexpr double near = 4;  // steps: enough for the rounding of both
+  refuseCrossing(solid, near * step, subject, progress);
   return solid;
 }
 

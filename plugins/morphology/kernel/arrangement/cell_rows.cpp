@@ -107,23 +107,23 @@ CellRows fullCells(const Features& shape, bool insideOut, const CellFrame& frame
   }
   const Runs runs = untouchedRuns(touched);
   UnionFind groups = groupsOf(runs, frame.cells[1]);
-  std::vector<std::size_t> longest(runs.all.size()), count(runs.all.size(), 0);
-  const auto length = [&](std::size_t run) {
-    return static_cast<std::size_t>(runs.all[run].last - runs.all[run].first + 1);
-  };
+  std::vector<std::size_t> longest(runs.all.size());
+  std::vector<int> count(runs.all.size(), 0);  // of cells
+  const auto length = [&](std::size_t run) { return runs.all[run].last - runs.all[run].first + 1; };
   for (std::size_t i = 0; i < runs.all.size(); ++i) {
     const std::size_t group = groups.find(i);
     if (count[group] == 0 || length(i) > length(longest[group])) longest[group] = i;
     count[group] += length(i);
   }
-  constexpr std::size_t fewest = 8;  // smaller groups cover too little for a winding number
+  constexpr int fewest = 8;  // smaller groups cover too little for a winding number
   std::vector<bool> isFull(runs.all.size(), false);
   CellRows full(frame.cells);
   for (std::size_t i = 0; i < runs.all.size(); ++i) {
     const std::size_t group = groups.find(i);
     if (group == i && count[i] >= fewest) {
       const Run& run = runs.all[longest[i]];
-      const Vec3 middle(0.5 + (run.first + run.last) / 2, 0.5 + run.y, 0.5 + run.z);
+      const int column = (run.first + run.last) / 2;
+      const Vec3 middle(0.5 + column, 0.5 + run.y, 0.5 + run.z);
       const double winding = windingNumber(triangles, middle, progress);
       isFull[i] = insideOut ? std::abs(winding) < 0.5 : winding > 0.5;
     }

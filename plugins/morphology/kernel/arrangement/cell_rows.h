@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "core/progress.h"
 #include "kernel/arrangement/features.h"
 
 namespace blossom::morphology::arrangement {

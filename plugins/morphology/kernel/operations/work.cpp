@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/self_crossing.h"
 #include "kernel/side_by_side.h"
@@ -21,6 +22,14 @@ Mesh scaledWithoutDegenerate(const Prepared& operand, double factor, const Commo
   for (Vec3& p : scaled.points)
     for (Eigen::Index k = 0; k < 3; ++k) p[k] = step * std::nearbyint(factor * p[k] / step);
   return withoutDegenerate(scaled, {operand.name});
+}
+
+/// The cube of twice this side about the origin, as triangles.
+Mesh cubeAround(double half) {
+  std::vector<Vec3> corners;
+  corners.reserve(8);
+  for (int k = 0; k < 8; ++k) corners.push_back(half * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+  return hullTriangles(corners);
 }
 
 }  // namespace
@@ -71,7 +80,11 @@ Prepared Work::united(Prepared operand, const CommonGrid& grid, double from, dou
 Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double from, double to) {
   static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
   static const Mesh none;
-  Mesh made = taken(arrangedSum(termOf(operand), {none, origin}, grid.step, progress_.part(from, to)), operand);
+  // Cracks between walls that nearly lie on each other are filled by a cube somewhat larger than they are wide.
+  constexpr double stepsOfCube = 6;
+  const Mesh cube = operand.wallsNear ? cubeAround(stepsOfCube * grid.usualStep()) : none;
+  const Term by = operand.wallsNear ? Term{cube, {}} : Term{none, origin};
+  Mesh made = taken(arrangedSum(termOf(operand), by, grid.step, progress_.part(from, to)), operand);
   if (made.faceCount() == 0) refuseTurnedShell(operand);
   return made;
 }

@@ -99,11 +99,58 @@ class MinkowskiSharedTest : public QObject {
     }
   }
 
+  /// Quarters of a ring share lines only, far from the origin with the last digits of their ends apart.
+  void sectorsOfARing() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> far(-1e5, 1e5), any(-3, 3);
+    const Region disc = circleRegion(0.25);
+    for (int run = 0; run < 20; ++run) {
+      const Vec2 centre(far(random), far(random));
+      const double start = any(random);
+      const auto at = [&](double radius, int quarter) {
+        const double angle = start + quarter * pi / 2;
+        return Vec2(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+      };
+      Region sectors;
+      for (int q = 0; q < 4; ++q) {
+        Path& sector = sectors.loops.emplace_back();
+        sector.closed = true;
+        sector.segments = {Line2{at(2, q), at(3, q)}, Arc2{centre, 3, start + q * pi / 2, pi / 2},
+                           Line2{at(3, q + 1), at(2, q + 1)}, Arc2{centre, 2, start + (q + 1) * pi / 2, -pi / 2}};
+      }
+      COMPARE_NEAR(area(minkowskiSum(std::vector{sectors, disc}).region), pi * (3.25 * 3.25 - 1.75 * 1.75), 1e-8);
+      COMPARE_NEAR(area(minkowskiDifference(std::vector{sectors, disc}).region), pi * (2.75 * 2.75 - 2.25 * 2.25), 1e-8);
+    }
+  }
+
   void partsOnBothSidesOfASpline() {
     const Vec2 low(8, 0), high(12, 20);
     const Region parts = dividedSquare(low, high, splineBetween(low, high), splineBetween(low, high));
     verifyIsSquare(parts, 1e-9);
     verifyIsSquare(placed(parts, 0.4, {70, -30}), 1e-9);
+    QVERIFY(minkowskiDifference(std::vector{parts, circleRegion(1)}).warnings.empty());
+  }
+
+  /// Files round corners and bulges, the shared ones not alike.
+  void partsFromFilesOfSixDecimals() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> place(6, 14), turn(0.5, 1.5), error(-5e-7, 5e-7);
+    for (int run = 0; run < 40; ++run) {
+      const Vec2 low(place(random), 0), high(place(random), 20);
+      const double sweep = (run % 2 == 0 ? 1 : -1) * turn(random);
+      const auto rounded = [&](const Vec2& p) { return Vec2(p + Vec2(error(random), error(random))); };
+      const Vec2 otherLow = rounded(low), otherHigh = rounded(high);
+      Region parts = dividedSquare(low, high, arcsBetween(low, high, sweep, 1), {});
+      Path& right = parts.loops[1];
+      right.segments.clear();
+      addLines(right, {otherLow, {20, 0}, {20, 20}, otherHigh});
+      right.segments.push_back(reversed(arcsBetween(otherLow, otherHigh, sweep + 4 * error(random), 1).front()));
+      const Region disc = circleRegion(1);
+      const Region room = minkowskiDifference(std::vector{parts, disc}).region;
+      QCOMPARE(room.loops.size(), std::size_t{1});
+      COMPARE_NEAR(area(room), 324, 1e-4);
+      COMPARE_NEAR(area(minkowskiSum(std::vector{parts, disc}).region), 480 + pi, 1e-4);
+    }
   }
 
   /// The right part is of two, which share the spline's lower and upper half, higher in degree and otherwise parametrised.
@@ -161,6 +208,28 @@ class MinkowskiSharedTest : public QObject {
   }
 
   // A hole that nearly touches where the disc has to pass: the polygons of both meet there, the arcs do not.
+  /// The ends of the room are rounder than the tolerance.
+  void endsOfANarrowSlotAreRound() {
+    for (const double width : {1e-6, 1e-5, 1e-4, 6e-4, 1e-3, 9e-3}) {
+      const double radius = 1 + width / 2;
+      Path slot;
+      slot.closed = true;
+      slot.segments = {Line2{{0, -radius}, {20, -radius}}, Arc2{{20, 0}, radius, -pi / 2, pi},
+                       Line2{{20, radius}, {0, radius}}, Arc2{{0, 0}, radius, pi / 2, pi}};
+      for (const double tolerance : {2e-4, 0.02}) {
+        const Region room =
+            minkowskiDifference(std::vector{Region{{slot}}, circleRegion(1)}, {.tolerance = tolerance}).region;
+        COMPARE_NEAR(area(room), 20 * width + pi * width * width / 4, 1e-9);
+      }
+    }
+  }
+
+  /// The room is no shape of the user's.
+  void anOpeningHardlyWiderThanItsElement() {
+    const Region strip = polygonRegion({{0, 0}, {20, 0}, {20, 2 + 1e-8}, {0, 2 + 1e-8}});
+    VERIFY_ERROR(opened(strip, circleRegion(1)), ErrorCode::Degenerate);
+  }
+
   void roomNarrowInOnePlaceKeepsItsArcs() {
     for (const double gap : {0.0, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3}) {
       const Region ring{{circleInArcs(6, 1), reversed(circleInArcs(3, 1, {1 - gap, 0}))}};

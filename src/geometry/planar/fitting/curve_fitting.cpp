@@ -186,14 +186,15 @@ class RingFitter {
   std::optional<std::size_t> addSegments(Path& path) const {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const Vec2 &from = junctions_[(i + runs_.size() - 1) % runs_.size()].begin, &to = junctions_[i].end;
-      if (!addSegment(runs_[i], from, to, path)) return i;
+      if (!addSegment(i, from, to, path)) return i;
       if (junctions_[i].end != junctions_[i].begin)
         path.segments.emplace_back(Line2{junctions_[i].end, junctions_[i].begin});
     }
     return std::nullopt;
   }
 
-  [[nodiscard]] bool addSegment(const Run& run, const Vec2& from, const Vec2& to, Path& path) const {
+  [[nodiscard]] bool addSegment(std::size_t i, const Vec2& from, const Vec2& to, Path& path) const {
+    const Run& run = runs_[i];
     if ((to - from).norm() <= fitting_.rounding && lengthOf(run.corners) <= fitting_.reach) return false;
     if (std::holds_alternative<StraightCurve>(run.curve)) {
       path.segments.emplace_back(Line2{from, to});
@@ -204,11 +205,27 @@ class RingFitter {
       return true;
     }
     const auto& circle = std::get<Circle>(run.curve);
-    const double given = sweepAbout(circle.centre, run.corners);
     const double start = angleOf(from - circle.centre), end = angleOf(to - circle.centre);
+    const double given =
+        isPassedBlindly(circle, end - start) ? smoothSweep(i, start, end) : sweepAbout(circle.centre, run.corners);
     const double sweep = given + std::remainder(end - start - given, fullTurn);
     path.segments.emplace_back(Arc2{circle.centre, circle.radius, start, sweep});
     return sweep * given > 0 && std::abs(sweep) <= fullTurn;
+  }
+
+  /// Whether corners, which lie within the gap beside the curve, may pass the centre on the wrong side.
+  [[nodiscard]] bool isPassedBlindly(const Circle& circle, double turn) const {
+    return circle.radius <= fitting_.gap && std::abs(std::remainder(turn, fullTurn)) > fullTurn / 4;
+  }
+  /// The way around the circle of a run that goes on from the run before it and into the one after it.
+  [[nodiscard]] double smoothSweep(std::size_t i, double start, double end) const {
+    const std::vector<Vec2>&before = runs_[(i + runs_.size() - 1) % runs_.size()].corners,
+          &after = runs_[(i + 1) % runs_.size()].corners;
+    const Vec2 arriving = (before.back() - before[before.size() - 2]).normalized(),
+               leaving = (after[1] - after.front()).normalized();
+    const auto along = [](double angle) { return Vec2(-std::sin(angle), std::cos(angle)); };
+    const double ahead = inOneTurn(end - start);
+    return arriving.dot(along(start)) + leaving.dot(along(end)) >= 0 ? ahead : ahead - fullTurn;
   }
 
   /// Through the ends of sides that lie on the curve: sides of two curves have others beside it, and hollow ones cross each

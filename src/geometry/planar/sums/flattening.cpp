@@ -214,7 +214,7 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
 struct CheckedRegion {
   double tolerance;
   Nesting nesting;  ///< of its loops, flattened
-  Region region;    ///< without shared curves, with arcs divided where they touch
+  Region region;    ///< without shared sides, with arcs divided where they touch
 };
 
 CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
@@ -229,7 +229,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   }
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
-  Region drawn = withoutSharedCurves(region, progress).value_or(region);
+  Region drawn = withoutSharedSides(region, tolerance, progress).value_or(region);
   if (auto divided = dividedWhereArcsTouch(drawn, tolerance, progress)) drawn = *std::move(divided);
   const std::vector<Loop> all = cornersOf(drawn, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);

@@ -11,6 +11,7 @@
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/polygon_sum.h"
+#include "geometry/planar/sums/shared_sides.h"
 
 namespace blossom::planar {
 namespace {
@@ -147,8 +148,11 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",
                     tolerance));
-  warnOfLines(splinesBoundRoom(regions.front(), std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region,
-              tolerance, result.warnings);
+  if (hasCurves(result.region)) return result;
+  // Splines between two of its parts bound nothing.
+  const Region first = withoutSharedSides(regions.front(), tolerance, progress).value_or(regions.front());
+  warnOfLines(splinesBoundRoom(first, std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region, tolerance,
+              result.warnings);
   return result;
 }
 

@@ -260,10 +260,26 @@ void addFirst(const SetSumResult& first, SetSumResult& second) {
 
 }  // namespace
 
+namespace {
+
+/// What is wrong with the room is wrong with no shape that was given.
+SetSumResult sumWithRoom(const PlanarSet& room, const PlanarSet& b, const RegionSumOptions& options,
+                         const Progress& progress) {
+  try {
+    return setSum(std::vector{room, b}, options, progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput) throw;
+    throw Error(ErrorCode::Degenerate, "Some places of shape 1 are hardly wider than the other shape, within rounding.",
+                "Make shape 1 larger there, or the other shape smaller.");
+  }
+}
+
+}  // namespace
+
 SetSumResult setOpening(const PlanarSet& a, const PlanarSet& b, const RegionSumOptions& options, const Progress& progress) {
   SetSumResult room = setDifference(std::vector{a, b}, options, progress.part(0, 0.5));
   if (room.set.empty()) return room;
-  SetSumResult result = setSum(std::vector{room.set, b}, options, progress.part(0.5, 1));
+  SetSumResult result = sumWithRoom(room.set, b, options, progress.part(0.5, 1));
   addFirst(room, result);
   return result;
 }

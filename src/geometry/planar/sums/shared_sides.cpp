@@ -12,6 +12,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/sound_region.h"
 #include "geometry/planar/segment_box.h"
+#include "geometry/planar/segment_point.h"
 #include "geometry/planar/sums/shared_splines.h"
 
 namespace blossom::planar {
@@ -52,8 +53,15 @@ bool runOnOneCurve(const Line2& a, const Line2& b, double rounding) {
   const auto off = [&](const Vec2& p) { return std::abs(cross(along, p - a.from)); };
   return size > rounding && along.dot(b.to - b.from) < 0 && off(b.from) <= rounding * size && off(b.to) <= rounding * size;
 }
+double lengthOf(const Arc2& arc) { return arc.radius * std::abs(arc.sweep); }
+
+/// Measured at the points of the shorter one: of a shallow arc, the centre is known far less well.
 bool runOnOneCurve(const Arc2& a, const Arc2& b, double rounding) {
-  return a.sweep * b.sweep < 0 && isNear(a.center, b.center, rounding) && std::abs(a.radius - b.radius) <= rounding;
+  if (a.sweep * b.sweep >= 0) return false;
+  const bool isFirstShorter = lengthOf(a) < lengthOf(b);
+  const Arc2 &shorter = isFirstShorter ? a : b, &longer = isFirstShorter ? b : a;
+  const auto isOn = [&](const Vec2& p) { return std::abs((p - longer.center).norm() - longer.radius) <= rounding; };
+  return isOn(startPoint(shorter)) && isOn(middleOf(shorter)) && isOn(endPoint(shorter));
 }
 
 /// Splines that only meet are cut in vain.
@@ -86,7 +94,7 @@ bool areOpposite(const Segment& a, const Segment& b, double rounding) {
   if (std::holds_alternative<Line2>(a)) return true;
   if (const auto* arc = std::get_if<Arc2>(&a)) {
     const Arc2& other = std::get<Arc2>(b);
-    return runOnOneCurve(*arc, other, rounding) && std::abs(arc->sweep + other.sweep) * arc->radius <= 4 * rounding;
+    return runOnOneCurve(*arc, other, rounding) && std::abs(lengthOf(*arc) - lengthOf(other)) <= 4 * rounding;
   }
   return runTogether(std::get<Spline2>(a), std::get<Spline2>(reversed(b)), rounding);
 }
@@ -108,14 +116,16 @@ std::vector<BoundarySide> sidesOf(const Region& region) {
   return sides;
 }
 
-/// Marks the cuts. @returns whether a curve may be shared
-bool cutSides(std::vector<BoundarySide>& sides, double rounding, const Progress& progress) {
+enum class Shared { Curves, Any };  ///< what has to be among the sides that go
+
+/// Marks the cuts. @returns whether something wanted may be shared
+bool cutSides(std::vector<BoundarySide>& sides, Shared wanted, double rounding, const Progress& progress) {
   bool shared = false;
   forEachNearPair<2>(boxesOf(sides), rounding, progress, [&](std::size_t i, std::size_t j) {
     BoundarySide &a = sides[i], &b = sides[j];
     if (a.segment.index() != b.segment.index()) return true;
     if (const auto* line = std::get_if<Line2>(&a.segment))
-      cutByEachOther(*line, std::get<Line2>(b.segment), rounding, a, b);
+      shared = (cutByEachOther(*line, std::get<Line2>(b.segment), rounding, a, b) && wanted == Shared::Any) || shared;
     else if (const auto* arc = std::get_if<Arc2>(&a.segment))
       shared = cutByEachOther(*arc, std::get<Arc2>(b.segment), rounding, a, b) || shared;
     else
@@ -229,24 +239,34 @@ Region joinedLoops(const std::vector<BoundarySide>& sides, const std::vector<std
   return region;
 }
 
-}  // namespace
-
-std::optional<Region> withoutSharedCurves(const Region& region, const Progress& progress) {
-  if (region.loops.size() < 2 || !hasCurves(region)) return std::nullopt;
-  const Box2 box = looseBox(region.loops);
-  const double size = box.sizes().maxCoeff();
-  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  const double rounding = std::max(1e-9 * size, 1e-14 * farthest);
+std::optional<Region> withoutShared(const Region& region, Shared wanted, double size, double rounding,
+                                    const Progress& progress) {
   std::vector<BoundarySide> sides = sidesOf(region);
-  if (!cutSides(sides, rounding, progress)) return std::nullopt;
+  if (!cutSides(sides, wanted, rounding, progress)) return std::nullopt;
   sides = divided(sides);
   UnionFind places = cancelOpposites(sides, rounding, progress);
-  const auto isSharedCurve = [](const BoundarySide& side) { return side.isGone && side.segment.index() != 0; };
-  if (std::none_of(sides.begin(), sides.end(), isSharedCurve)) return std::nullopt;
+  const auto isWanted = [&](const BoundarySide& side) {
+    return side.isGone && (wanted == Shared::Any || !std::holds_alternative<Line2>(side.segment));
+  };
+  if (std::none_of(sides.begin(), sides.end(), isWanted)) return std::nullopt;
   const auto on = waysOn(sides, places, size);
   if (!on) return std::nullopt;
   Region joined = joinedLoops(sides, *on);
   return joined.loops.empty() ? std::nullopt : std::optional(std::move(joined));
+}
+
+}  // namespace
+
+std::optional<Region> withoutSharedSides(const Region& region, double tolerance, const Progress& progress) {
+  if (region.loops.size() < 2 || !hasCurves(region)) return std::nullopt;
+  const Box2 box = looseBox(region.loops);
+  const double size = box.sizes().maxCoeff();
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double ofNumbers = std::max(1e-9 * size, 1e-14 * farthest);
+  // Files with six decimals round bulges, too.
+  const double ofFiles = std::max(ofNumbers, std::min(1e-6 * size, 0.1 * tolerance));
+  if (auto joined = withoutShared(region, Shared::Curves, size, ofFiles, progress)) return joined;
+  return withoutShared(region, Shared::Any, size, ofNumbers, progress);
 }
 
 }  // namespace blossom::planar

@@ -6,11 +6,13 @@
 
 namespace blossom::planar {
 
-/// The region without the curves that two of its loops run along in opposite senses, as parts do that lie against each
-/// other: both sides of such a curve are inside. Loops are cut where the other one begins and ends, and joined there. Lines
-/// in common go with them; where only lines are, and where loops meet in another way, nothing is done. O(n log n + k) for n
-/// segments of which k pairs are near.
-/// @returns nothing where no curve is shared. @throws Error Cancelled
-std::optional<Region> withoutSharedCurves(const Region&, const Progress&);
+/// The region without the sides that two of its loops run along in opposite senses, as parts do that lie against each
+/// other: both sides of such a line or curve are inside. Loops are cut where the other one begins and ends, and joined
+/// there. Nothing is done to regions of lines alone, nor where loops meet in another way. O(n log n + k) for n segments of
+/// which k pairs are near.
+/// @param tolerance curves, and lines beside shared curves, are one where they lie within a tenth of it and within a
+/// millionth of the size; lines alone only within rounding
+/// @returns nothing where no side is shared. @throws Error Cancelled
+std::optional<Region> withoutSharedSides(const Region&, double tolerance, const Progress&);
 
 }  // namespace blossom::planar

@@ -62,8 +62,14 @@ class MinkowskiSamplesTest : public QObject {
     }
     // 4 to 6: sequences.
     const std::pair<const char*, int> sequences[] = {{"figure-4-triangle-to-square.blossom", 1},
-                                                     {"figure-5-five-pairs.blossom", 5},
                                                      {"figure-6-rounded-by-a-circle.blossom", 4}};
+    // 5: five stills of each pair, then its sequence, whose ends they begin and end with.
+    const SampleResults pairs(inSample("figure-5-five-pairs.blossom"));
+    for (int pair = 0; pair < 5; ++pair) {
+      QCOMPARE(pairs.of(fmt::format("morph-{}", 6 * pair + 6))["result"]["frames"], Value(25));
+      const auto areaOf = [&](int still) { return pairs.area(fmt::format("morph-{}", 6 * pair + 1 + still).c_str()); };
+      for (int still = 1; still < 4; ++still) QVERIFY(areaOf(still) > std::min(areaOf(0), areaOf(4)) - 1e-9);
+    }
     for (const auto& [name, morphs] : sequences) {
       const SampleResults results(inSample(name));
       for (int k = 1; k <= morphs; ++k) QCOMPARE(results.of(fmt::format("morph-{}", k))["result"]["frames"], Value(25));

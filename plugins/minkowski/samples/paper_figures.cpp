@@ -109,8 +109,11 @@ Document figure4(const App& app) {
 Document figure5(const App& app) {
   Document document;
   const auto pair = [&](const char* name, const FeatureId& first, const FeatureId& last, double x) {
-    add(app, document, "morph", name,
-        {{"frames", 25}, {"tolerance", tolerance}, {"offsets", offsetsTo({{x, 90}, {x, -90}})}}, {first, last});
+    const Value places = offsetsTo({{x, 90}, {x, -90}});
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})  // stay when the sequence plays
+      add(app, document, "morph", fmt::format("{} at {}", name, t).c_str(),
+          {{"t", t}, {"tolerance", tolerance}, {"offsets", places}}, {first, last});
+    add(app, document, "morph", name, {{"frames", 25}, {"tolerance", tolerance}, {"offsets", places}}, {first, last});
   };
   const auto star = [&](const char* name, double rotation) {
     return add(app, document, "star", name, {{"points", 5}, {"outer", 19}, {"inner", 8}, {"rotation", rotation}});

@@ -182,6 +182,20 @@ class MinkowskiSharedTest : public QObject {
     }
   }
 
+  /// One loop goes in along a curve and back.
+  void slitsBoundNothing() {
+    const Vec2 low(10, 0), tip(11, 12);
+    for (const std::vector<Segment>& in : {arcsBetween(low, tip, 0.7, 1), splineBetween(low, tip)}) {
+      Path outline;
+      outline.closed = true;
+      addLines(outline, {{0, 20}, {0, 0}, low});
+      outline.segments.push_back(in.front());
+      outline.segments.push_back(reversed(in.front()));
+      addLines(outline, {low, {20, 0}, {20, 20}, {0, 20}});
+      verifyIsSquare({{outline}}, 1e-9);
+    }
+  }
+
   void partsOfARing() {
     const Region disc = circleRegion(1);
     // Of the ring of 20 and 15: its outside shrinks, the half disc that is free grows.

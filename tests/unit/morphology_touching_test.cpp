@@ -191,6 +191,21 @@ class MorphologyTouchingTest : public QObject {
     }
   }
 
+  /// Of coordinates with eight decimals, what is between the bodies may be a gap: it is told.
+  void bodiesThatFilesLeaveApartAreTold() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+    for (int run = 0; run < 12; ++run) {
+      const Eigen::Matrix3d turn = randomTurn(random);
+      Mesh solid = turnedBy(together(cuboid({0, 0, 0}, {4, 4, 2}), cuboid({0, 1, 2}, {3, 3, 4})), turn);
+      for (Vec3& p : solid.points)
+        for (double& x : p) x = std::round(x * 1e8) / 1e8;
+      const MorphologyResult sum = solidSum(bodyOf(solid), bodyOf(turnedBy(half, turn)));
+      COMPARE_NEAR(volumeOf(sum.solids.front()), 4.5 * 4.5 * 2.5 + 3.5 * 2.5 * 2, 1e-5);
+      QVERIFY(!sum.warnings.empty() && sum.warnings.front().find("touch") != std::string::npos);
+    }
+  }
+
   /// The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
   void bodiesThatMeetAreOneAtTheEnds() {
     const Mesh cube = unitCell();

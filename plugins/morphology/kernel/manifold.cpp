@@ -79,7 +79,7 @@ class Round {
   Vec3 from_, axis_, x_, y_;
 };
 
-constexpr double together = 1e-12;  ///< radians: faces round an edge that lie on each other
+constexpr double together = 1e-6;  ///< radians: faces round an edge that lie on each other, but for the digits of files
 
 double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 

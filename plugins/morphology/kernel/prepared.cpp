@@ -172,9 +172,9 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
     checked.warnings.push_back(
         fmt::format("{} has been rounded to {:.2g} mm, so that none of its faces cross.", operand.name, step));
   // What is left of crossings then lies between bodies, and has a warning.
-  result.wallsNear = checked.wallsNear;
-  result.bodiesMeet =
-      checked.bodyInBody || checked.wallsNear || (!checked.warnings.empty() && firstCrossing(checked.triangles, progress));
+  result.wallsWithin = checked.wallsWithin;
+  result.bodiesMeet = checked.bodyInBody || checked.wallsWithin > 0 ||
+                      (!checked.warnings.empty() && firstCrossing(checked.triangles, progress));
   result.warnings = std::move(checked.warnings);
   result.bounds = boundsOfPoints(checked.triangles.points);
   if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, usual, progress);

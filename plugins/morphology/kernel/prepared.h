@@ -16,7 +16,7 @@ struct Prepared {
   Mesh hull;                              ///< a convex solid as triangles; of others without faces
   std::vector<Prism> prisms;              ///< the solid as those, where its bodies do not meet
   bool bodiesMeet = false;                ///< bodies of the solid overlap, or touch outside common vertices and edges
-  bool wallsNear = false;                 ///< they touch in faces that only nearly lie on each other
+  double wallsWithin = 0;                 ///< mm between faces in which they touch but for rounding; 0: they do not
   Bounds bounds;                          ///< relative to `centre`
   Vec3 centre = Vec3::Zero();
   std::string name;

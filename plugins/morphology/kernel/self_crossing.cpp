@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/triangle_crossing.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/manifold.h"
 #include "kernel/near_walls.h"
 
@@ -97,6 +98,8 @@ Mesh meshOf(Surface& surface) {
   return mesh;
 }
 
+constexpr double narrowCrack = 1e-6;  ///< of the size: gaps that files with few digits leave
+
 std::optional<Vec3> firstDegenerate(const Mesh& mesh) {
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto points = facePoints(mesh, f);
@@ -138,9 +141,19 @@ void refuseCrossing(CheckedSolid& solid, double near, const Subject& subject, co
                 fmt::format("{} crosses or touches itself near {}.", subject.name, subject.place(*found.within)),
                 "Repair the mesh in the program that made it.");
   if (topology.components.size() > 1) {
-    const auto wall = firstNearWall(solid.triangles, topology.componentOfFace, near, progress);
-    solid.wallsNear = wall.has_value();
-    if (wall && !found.between) found.between = wall;
+    const auto wallWithin = [&](double distance) {
+      return firstNearWall(solid.triangles, topology.componentOfFace, distance, progress);
+    };
+    const double crack = narrowCrack * bounds(solid.triangles).diagonal();
+    if (const auto wall = wallWithin(near)) {
+      solid.wallsWithin = near;
+      if (!found.between) found.between = wall;
+    } else if (const auto beside = crack > near ? wallWithin(crack) : std::nullopt) {
+      solid.warnings.push_back(fmt::format(
+          "{} has bodies that nearly touch near {}: what is between their faces, less than {:.1g} mm, counts as a gap. "
+          "Unite them first if they are one.",
+          subject.name, subject.place(*beside), crack));
+    }
   }
   if (found.between)
     solid.warnings.push_back(fmt::format("{} has bodies that touch or overlap near {}; they count as one.", subject.name,

@@ -13,7 +13,7 @@ struct CheckedSolid {
   Mesh triangles;  ///< closed, oriented outward, no triangle of zero area, no intersections
   std::vector<std::string> warnings;
   std::optional<Vec3> bodyInBody = std::nullopt;  ///< where a body lies within another one
-  bool wallsNear = false;                         ///< bodies touch in faces that only nearly lie on each other
+  double wallsWithin = 0;  ///< mm between faces in which bodies touch but for rounding; 0: they do not
 };
 
 /// A mesh as the boundary of a solid. Defects with an unambiguous repair are repaired (all faces oriented inward, triangles

@@ -81,9 +81,9 @@ Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double 
   static const std::vector<std::vector<Vec3>> origin{{Vec3::Zero()}};
   static const Mesh none;
   // Cracks between walls that nearly lie on each other are filled by a cube somewhat larger than they are wide.
-  constexpr double stepsOfCube = 6;
-  const Mesh cube = operand.wallsNear ? cubeAround(stepsOfCube * grid.usualStep()) : none;
-  const Term by = operand.wallsNear ? Term{cube, {}} : Term{none, origin};
+  const double step = grid.usualStep(), half = step * std::ceil(1.5 * operand.wallsWithin / step);
+  const Mesh cube = half > 0 ? cubeAround(half) : none;
+  const Term by = half > 0 ? Term{cube, {}} : Term{none, origin};
   Mesh made = taken(arrangedSum(termOf(operand), by, grid.step, progress_.part(from, to)), operand);
   if (made.faceCount() == 0) refuseTurnedShell(operand);
   return made;

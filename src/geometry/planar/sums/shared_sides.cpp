@@ -258,7 +258,7 @@ std::optional<Region> withoutShared(const Region& region, Shared wanted, double 
 }  // namespace
 
 std::optional<Region> withoutSharedSides(const Region& region, double tolerance, const Progress& progress) {
-  if (region.loops.size() < 2 || !hasCurves(region)) return std::nullopt;
+  if (!hasCurves(region)) return std::nullopt;
   const Box2 box = looseBox(region.loops);
   const double size = box.sizes().maxCoeff();
   const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());

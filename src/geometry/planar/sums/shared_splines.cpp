@@ -85,11 +85,12 @@ Spline2 splinePart(const Spline2& spline, double from, double to) {
 
 bool runTogether(const Spline2& a, const Spline2& b, double rounding) {
   const Curve first = toCurve(a), second = toCurve(b);
+  const double slack = 1e-9 * (endOf(second) - startOf(second));
   double t = startOf(second);
   for (const double s : samplesOf(first)) {
     const PlaceOnCurve foot = footNear(second, placeAt(first, s), t);
-    if (!(foot.distance <= rounding) || foot.t < t) return false;
-    t = foot.t;
+    if (!(foot.distance <= rounding) || foot.t < t - slack) return false;
+    t = std::max(t, foot.t);
   }
   return true;
 }

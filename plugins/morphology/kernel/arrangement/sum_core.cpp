@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "kernel/side_by_side.h"
 
 namespace blossom::morphology::arrangement {
 
@@ -142,8 +143,20 @@ SumCore::SumCore(const Features& a, const Features& b, bool insideOut, const Pro
   frame_ = {ofFirst.origin + ofSecond.origin, size, {}};
   for (std::size_t k = 0; k < 3; ++k) frame_.cells[k] = ofFirst.cells[k] + ofSecond.cells[k];
   inside_ = CellRows(frame_.cells);
-  unite(fullCells(a, insideOut, ofFirst, progress), cellsAlongEdges(b, ofSecond), inside_, progress);
-  unite(fullCells(b, false, ofSecond, progress), cellsAlongEdges(a, ofFirst), inside_, progress);
+  CellRows fullOfFirst, fullOfSecond;
+  std::vector<Cell> alongFirst, alongSecond;
+  sideBySide(
+      progress,
+      [&] {
+        fullOfFirst = fullCells(a, insideOut, ofFirst, progress);
+        alongFirst = cellsAlongEdges(a, ofFirst);
+      },
+      [&] {
+        fullOfSecond = fullCells(b, false, ofSecond, progress);
+        alongSecond = cellsAlongEdges(b, ofSecond);
+      });
+  unite(fullOfFirst, alongSecond, inside_, progress);
+  unite(fullOfSecond, alongFirst, inside_, progress);
 }
 
 bool SumCore::holds(std::span<const Grid3> corners) const {

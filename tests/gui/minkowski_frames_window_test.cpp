@@ -42,6 +42,7 @@ void MinkowskiFramesWindowTest::framesAreMeasured_data() {
   for (const char* sample :
        {"triangle-to-star", "phi-to-flower", "figure-4-triangle-to-square", "figure-6-rounded-by-a-circle"})
     QTest::newRow(sample) << 0;
+  QTest::newRow("figure-5-five-pairs") << 5;  // after five stills of the first pair
 }
 
 void MinkowskiFramesWindowTest::framesAreMeasured() {

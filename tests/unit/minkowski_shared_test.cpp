@@ -196,6 +196,24 @@ class MinkowskiSharedTest : public QObject {
     }
   }
 
+  /// The way to a hole and back goes; a hole that turns as its outline does is an overlap, as it was drawn.
+  void waysToHoles() {
+    for (const bool isHole : {true, false}) {
+      const double half = isHole ? -pi : pi;
+      Path outline;
+      outline.closed = true;
+      addLines(outline, {{0, 10}, {0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 10}, {6, 10}});
+      outline.segments.emplace_back(Arc2{{10, 10}, 4, pi, half});
+      outline.segments.emplace_back(Arc2{{10, 10}, 4, 0, half});
+      addLines(outline, {{6, 10}, {0, 10}});
+      const std::vector<Region> pair{Region{{outline}}, circleRegion(1)};
+      if (isHole)
+        COMPARE_NEAR(area(minkowskiDifference(pair).region), 324 - 25 * pi, 1e-9);
+      else
+        VERIFY_ERROR(minkowskiDifference(pair), ErrorCode::InvalidInput);
+    }
+  }
+
   void partsOfARing() {
     const Region disc = circleRegion(1);
     // Of the ring of 20 and 15: its outside shrinks, the half disc that is free grows.

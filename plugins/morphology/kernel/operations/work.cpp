@@ -24,7 +24,7 @@ Mesh scaledWithoutDegenerate(const Prepared& operand, double factor, const Commo
   return withoutDegenerate(scaled, {operand.name});
 }
 
-/// The cube of twice this side about the origin, as triangles.
+/// The cube with corners at `half` along each axis and its opposite, as triangles.
 Mesh cubeAround(double half) {
   std::vector<Vec3> corners;
   corners.reserve(8);

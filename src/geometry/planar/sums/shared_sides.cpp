@@ -239,6 +239,14 @@ Region joinedLoops(const std::vector<BoundarySide>& sides, const std::vector<std
   return region;
 }
 
+/// Whether one loop turns the other way than all the others, its holes, or there is one alone. A loop that has come apart
+/// otherwise encloses something twice: that is told of the loop as it was drawn.
+bool isOneOutline(const Region& region) {
+  const auto turnsLeft = [](const Path& loop) { return signedArea(loop) > 0; };
+  const auto left = static_cast<std::size_t>(std::count_if(region.loops.begin(), region.loops.end(), turnsLeft));
+  return left == 1 || region.loops.size() - left == 1;
+}
+
 std::optional<Region> withoutShared(const Region& region, Shared wanted, double size, double rounding,
                                     const Progress& progress) {
   std::vector<BoundarySide> sides = sidesOf(region);
@@ -252,7 +260,8 @@ std::optional<Region> withoutShared(const Region& region, Shared wanted, double 
   const auto on = waysOn(sides, places, size);
   if (!on) return std::nullopt;
   Region joined = joinedLoops(sides, *on);
-  return joined.loops.empty() ? std::nullopt : std::optional(std::move(joined));
+  if (joined.loops.empty() || (region.loops.size() == 1 && !isOneOutline(joined))) return std::nullopt;
+  return joined;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 # Control shapes of samples dragged in the window; morphs beyond their ends; input that cannot be morphed
 tests=$build/tests/bin
 qtest "control shapes of samples dragged at 1280x720" "$tests/minkowski_frames_window_test"
-for sample in triangle_to_star phi_to_flower figure_4_triangle_to_square figure_6_rounded_by_a_circle; do
+for sample in triangle_to_star phi_to_flower figure_4_triangle_to_square figure_5_five_pairs figure_6_rounded_by_a_circle; do
   at_least "  ${sample//_/ }: frames that follow one another within 33 ms" "$(figure minkowski_frames_window_test "morph_frames_${sample}_percent")" 95 %
 done
 qtest "morphs beyond their first and last shape" "$tests/minkowski_beyond_test"

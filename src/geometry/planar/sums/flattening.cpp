@@ -229,7 +229,9 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   }
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
-  Region drawn = withoutSharedSides(region, tolerance, progress).value_or(region);
+  SharedSides shared = withoutSharedSides(region, tolerance, progress);
+  if (shared.drawnTwice) refuseTwice(*shared.drawnTwice, name);
+  Region drawn = shared.without ? *std::move(shared.without) : region;
   if (auto divided = dividedWhereArcsTouch(drawn, tolerance, progress)) drawn = *std::move(divided);
   const std::vector<Loop> all = cornersOf(drawn, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);

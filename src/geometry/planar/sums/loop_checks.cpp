@@ -14,15 +14,18 @@
 namespace blossom::planar {
 
 /// A loop drawn twice, once either way round, would cancel out.
+void refuseTwice(const Vec2& place, const std::string& name) {
+  refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that is drawn twice.", at(place)),
+         "Remove one of the two.");
+}
+
 void refuseTwice(const std::vector<Loop>& loops, const std::string& name) {
   std::set<std::vector<std::pair<double, double>>> seen;
   for (const Loop& loop : loops) {
     std::vector<std::pair<double, double>> corners;
     for (const Vec2& p : loop) corners.emplace_back(p.x(), p.y());
     std::sort(corners.begin(), corners.end());
-    if (!seen.insert(std::move(corners)).second)
-      refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that is drawn twice.", at(loop.front())),
-             "Remove one of the two.");
+    if (!seen.insert(std::move(corners)).second) refuseTwice(loop.front(), name);
   }
 }
 

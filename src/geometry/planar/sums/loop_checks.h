@@ -8,6 +8,7 @@
 /// What is refused of the loops of a shape. @param name of the shape, which begins the sentence
 namespace blossom::planar {
 
+[[noreturn]] void refuseTwice(const Vec2& place, const std::string& name);
 void refuseTwice(const std::vector<Loop>&, const std::string& name);
 void refuseStrayHole(const Nesting&, const std::vector<Loop>&, const std::string& name);
 /// @param confusion mm, below which a width is none

@@ -150,7 +150,7 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
                     tolerance));
   if (hasCurves(result.region)) return result;
   // Splines between two of its parts bound nothing.
-  const Region first = withoutSharedSides(regions.front(), tolerance, progress).value_or(regions.front());
+  const Region first = withoutSharedSides(regions.front(), tolerance, progress).without.value_or(regions.front());
   warnOfLines(splinesBoundRoom(first, std::any_of(regions.begin() + 1, regions.end(), hasSplines)), result.region, tolerance,
               result.warnings);
   return result;

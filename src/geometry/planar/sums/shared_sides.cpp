@@ -13,6 +13,7 @@
 #include "geometry/planar/polygons/sound_region.h"
 #include "geometry/planar/segment_box.h"
 #include "geometry/planar/segment_point.h"
+#include "geometry/planar/sums/loop_senses.h"
 #include "geometry/planar/sums/shared_splines.h"
 
 namespace blossom::planar {
@@ -21,6 +22,7 @@ namespace {
 /// A segment of a loop, or a part of one.
 struct BoundarySide {
   Segment segment;
+  std::size_t loop = 0;
   std::size_t next = 0;           ///< the side after it in its loop
   std::vector<double> cuts = {};  ///< shares of the segment, where others on it begin or end
   bool isGone = false;
@@ -86,11 +88,14 @@ bool cutByEachOther(const Curve& a, const Curve& b, double rounding, BoundarySid
           isNear(endPoint(sideA.segment), startPoint(sideB.segment), rounding));
 }
 
+double extentOf(const Segment& segment) { return boxAround(segment).sizes().norm(); }
+
 /// Both ways of one curve, from end to end.
-bool areOpposite(const Segment& a, const Segment& b, double rounding) {
-  if (a.index() != b.index() || !isNear(startPoint(a), endPoint(b), rounding) ||
-      !isNear(endPoint(a), startPoint(b), rounding))
-    return false;
+bool areOpposite(const Segment& a, const Segment& b, double mostRounding) {
+  if (a.index() != b.index()) return false;
+  // Sides that follow each other are no two ways of one, however short they are.
+  const double rounding = std::min(mostRounding, std::min(extentOf(a), extentOf(b)) / 4);
+  if (!isNear(startPoint(a), endPoint(b), rounding) || !isNear(endPoint(a), startPoint(b), rounding)) return false;
   if (std::holds_alternative<Line2>(a)) return true;
   if (const auto* arc = std::get_if<Arc2>(&a)) {
     const Arc2& other = std::get<Arc2>(b);
@@ -108,9 +113,9 @@ std::vector<Box2> boxesOf(const std::vector<BoundarySide>& sides) {
 
 std::vector<BoundarySide> sidesOf(const Region& region) {
   std::vector<BoundarySide> sides;
-  for (const Path& loop : region.loops) {
+  for (std::size_t loop = 0; loop < region.loops.size(); ++loop) {
     const std::size_t first = sides.size();
-    for (const Segment& segment : loop.segments) sides.push_back({segment, sides.size() + 1});
+    for (const Segment& segment : region.loops[loop].segments) sides.push_back({segment, loop, sides.size() + 1});
     if (sides.size() > first) sides.back().next = first;
   }
   return sides;
@@ -147,22 +152,29 @@ Segment partOf(const Segment& segment, double from, double to) {
   return arc;
 }
 
-std::vector<BoundarySide> divided(const std::vector<BoundarySide>& sides) {
+/// In order, those within rounding of each other as one: sides of several neighbours end there.
+std::vector<double> cutsOf(const BoundarySide& side, double rounding) {
+  std::vector<double> cuts = side.cuts;
+  std::sort(cuts.begin(), cuts.end());
+  const double near = rounding / std::max(extentOf(side.segment), rounding);
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](double a, double b) { return b - a < near; }), cuts.end());
+  return cuts;
+}
+
+std::vector<BoundarySide> divided(const std::vector<BoundarySide>& sides, double rounding) {
   std::vector<BoundarySide> parts;
   std::vector<std::size_t> firstPart;
   for (const BoundarySide& side : sides) {
     firstPart.push_back(parts.size());
-    std::vector<double> ends = side.cuts;
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end(), [](double a, double b) { return b - a < 1e-9; }), ends.end());
+    std::vector<double> ends = cutsOf(side, rounding);
     if (ends.empty()) {
-      parts.push_back({side.segment, 0});
+      parts.push_back({side.segment, side.loop});
       continue;
     }
     ends.push_back(1);
     double from = 0;
     for (const double to : ends) {
-      parts.push_back({partOf(side.segment, from, to), 0});
+      parts.push_back({partOf(side.segment, from, to), side.loop});
       from = to;
     }
   }
@@ -224,58 +236,93 @@ std::optional<std::vector<std::size_t>> waysOn(const std::vector<BoundarySide>& 
   return on;
 }
 
-Region joinedLoops(const std::vector<BoundarySide>& sides, const std::vector<std::size_t>& on) {
-  Region region;
+struct JoinedLoops {
+  std::vector<Path> loops;
+  std::vector<std::size_t> isNew;  ///< those that were not loops before
+};
+
+JoinedLoops joinedLoops(const std::vector<BoundarySide>& sides, const std::vector<std::size_t>& on) {
+  JoinedLoops joined;
   std::vector<bool> used(sides.size(), false);
   for (std::size_t first = 0; first < sides.size(); ++first) {
     if (sides[first].isGone || used[first]) continue;
-    Path& loop = region.loops.emplace_back();
+    Path& loop = joined.loops.emplace_back();
     loop.closed = true;
+    bool isNew = false;
     for (std::size_t k = first; !used[k]; k = on[k]) {
       used[k] = true;
       loop.segments.push_back(sides[k].segment);
+      isNew = isNew || on[k] != sides[k].next;
     }
+    if (isNew) joined.isNew.push_back(joined.loops.size() - 1);
   }
-  return region;
+  return joined;
 }
 
-/// Whether one loop turns the other way than all the others, its holes, or there is one alone. A loop that has come apart
-/// otherwise encloses something twice: that is told of the loop as it was drawn.
-bool isOneOutline(const Region& region) {
-  const auto turnsLeft = [](const Path& loop) { return signedArea(loop) > 0; };
-  const auto left = static_cast<std::size_t>(std::count_if(region.loops.begin(), region.loops.end(), turnsLeft));
-  return left == 1 || region.loops.size() - left == 1;
+/// A place on each loop that is gone as a whole.
+std::vector<Vec2> placesOnGoneLoops(const std::vector<BoundarySide>& sides, std::size_t loops) {
+  std::vector<bool> stays(loops, false), seen(loops, false);
+  for (const BoundarySide& side : sides)
+    if (!side.isGone) stays[side.loop] = true;
+  std::vector<Vec2> places;
+  for (const BoundarySide& side : sides)
+    if (!stays[side.loop] && !seen[side.loop]) {
+      seen[side.loop] = true;
+      places.push_back(middleOf(side.segment));
+    }
+  return places;
 }
 
-std::optional<Region> withoutShared(const Region& region, Shared wanted, double size, double rounding,
-                                    const Progress& progress) {
+/// Whether new loops bound something once: a loop that has come apart may enclose something twice. That is told of it as it
+/// was drawn.
+bool boundOnce(const JoinedLoops& joined, const LoopSenses& senses, const Progress& progress) {
+  return std::all_of(joined.isNew.begin(), joined.isNew.end(), [&](std::size_t loop) {
+    progress.check();
+    return senses.bounds(joined.loops[loop]);
+  });
+}
+
+/// A place where nothing is left of a loop that is gone: it was drawn twice, and one of both counts as a hole in the other.
+std::optional<Vec2> placeOfTwice(const std::vector<BoundarySide>& sides, std::size_t loops, const LoopSenses& senses,
+                                 const Progress& progress) {
+  for (const Vec2& place : placesOnGoneLoops(sides, loops)) {
+    progress.check();
+    if (!senses.holds(place)) return place;
+  }
+  return std::nullopt;
+}
+
+SharedSides sharedSides(const Region& region, Shared wanted, double size, double rounding, const Progress& progress) {
   std::vector<BoundarySide> sides = sidesOf(region);
-  if (!cutSides(sides, wanted, rounding, progress)) return std::nullopt;
-  sides = divided(sides);
+  if (!cutSides(sides, wanted, rounding, progress)) return {};
+  sides = divided(sides, rounding);
   UnionFind places = cancelOpposites(sides, rounding, progress);
   const auto isWanted = [&](const BoundarySide& side) {
     return side.isGone && (wanted == Shared::Any || !std::holds_alternative<Line2>(side.segment));
   };
-  if (std::none_of(sides.begin(), sides.end(), isWanted)) return std::nullopt;
+  if (std::none_of(sides.begin(), sides.end(), isWanted)) return {};
   const auto on = waysOn(sides, places, size);
-  if (!on) return std::nullopt;
-  Region joined = joinedLoops(sides, *on);
-  if (joined.loops.empty() || (region.loops.size() == 1 && !isOneOutline(joined))) return std::nullopt;
-  return joined;
+  if (!on) return {};
+  JoinedLoops joined = joinedLoops(sides, *on);
+  const LoopSenses senses(joined.loops, progress);
+  if (const auto twice = placeOfTwice(sides, region.loops.size(), senses, progress)) return {{}, twice};
+  if (joined.loops.empty() || !boundOnce(joined, senses, progress)) return {};
+  return {Region{std::move(joined.loops)}, {}};
 }
 
 }  // namespace
 
-std::optional<Region> withoutSharedSides(const Region& region, double tolerance, const Progress& progress) {
-  if (!hasCurves(region)) return std::nullopt;
+SharedSides withoutSharedSides(const Region& region, double tolerance, const Progress& progress) {
+  if (!hasCurves(region)) return {};
   const Box2 box = looseBox(region.loops);
   const double size = box.sizes().maxCoeff();
   const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const double ofNumbers = std::max(1e-9 * size, 1e-14 * farthest);
   // Files with six decimals round bulges, too.
   const double ofFiles = std::max(ofNumbers, std::min(1e-6 * size, 0.1 * tolerance));
-  if (auto joined = withoutShared(region, Shared::Curves, size, ofFiles, progress)) return joined;
-  return withoutShared(region, Shared::Any, size, ofNumbers, progress);
+  SharedSides found = sharedSides(region, Shared::Curves, size, ofFiles, progress);
+  if (found.without || found.drawnTwice) return found;
+  return sharedSides(region, Shared::Any, size, ofNumbers, progress);
 }
 
 }  // namespace blossom::planar

@@ -69,6 +69,11 @@ std::size_t farthestFrom(const std::vector<DirectedPoint>& points, std::size_t f
 
 }  // namespace
 
+bool keepsNear(const DirectedPoint& from, const DirectedPoint& to, std::span<const Vec2> places, double within) {
+  const Cubic cubic = cubicBetween(from, to);
+  return std::all_of(places.begin(), places.end(), [&](const Vec2& p) { return distanceFrom(cubic, p) <= within; });
+}
+
 Spline2 splineThrough(const std::vector<DirectedPoint>& points, double tolerance) {
   Spline2 spline{3, {0, 0, 0, 0}, {points.front().at.homogeneous()}};
   double length = 0;

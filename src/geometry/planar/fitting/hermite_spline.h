@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "geometry/planar/region.h"
@@ -14,5 +15,8 @@ struct DirectedPoint {
 /// handles are those of a circular arc between two points. @pre at least two points that differ from their neighbours. O(n
 /// log n)
 Spline2 splineThrough(const std::vector<DirectedPoint>&, double tolerance);
+
+/// Whether the piece that such a spline would have between two points keeps within a distance of places beside it. O(places)
+bool keepsNear(const DirectedPoint& from, const DirectedPoint& to, std::span<const Vec2> places, double within);
 
 }  // namespace blossom::planar

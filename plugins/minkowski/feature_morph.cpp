@@ -236,7 +236,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Knots of the B-spline, as many as shapes and the degree and one more, the first and last as often as the "
                  "degree and once more. None: evenly spaced.")
       .parameter(
-          "sectors", &P::sectors, sectorsSpec(),
+          "sectors", &P::sectors, onePer(sectorsSpec(), "shape"),
           "Directions in which each control shape acts, first to last; from equal to to, or a whole turn: all around.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")

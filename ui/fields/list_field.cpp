@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "feature/frame_keys.h"
+#include "parameter/start_value.h"
 #include "ui/fields/list_row.h"
 #include "ui/look/icons.h"
 #include "ui/look/registry_text.h"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "parameter/start_value.h"
 #include "ui/controls/field_label.h"
 #include "ui/controls/number_line.h"
 #include "ui/controls/stepping.h"

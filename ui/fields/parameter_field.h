@@ -149,7 +149,5 @@ Value parseTyped(const ParameterSpec&, const QString& text, const NamedNumbers&)
 QString shownLabel(const ParameterSpec&);
 /// The name of a choice as shown in forms.
 QString shownChoice(const std::string&);
-/// The initial value of a new list item; null when the user has to provide it.
-Value startValue(const ParameterSpec&);
 
 }  // namespace blossom::ui

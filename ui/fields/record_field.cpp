@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameter/start_value.h"
 #include "ui/controls/field_label.h"
 #include "ui/controls/switch_box.h"
 #include "ui/look/registry_text.h"

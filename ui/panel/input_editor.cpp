@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "feature/input_items.h"
 #include "ui/controls/chip.h"
 #include "ui/controls/field_label.h"
 #include "ui/controls/pick_button.h"
@@ -112,6 +113,10 @@ void InputEditor::refresh() {
 }
 
 void InputEditor::rebuild(const std::vector<FeatureId>& taken) {
+  int focused = -1;
+  for (int k = 0; k < chips_->count(); ++k)
+    if (chips_->itemAt(k)->widget()->hasFocus()) focused = k;
+  if (focused >= 0) pick_->setFocus();  // or a field below would get it, and the form would scroll there
   while (const QLayoutItem* item = chips_->takeAt(0)) {
     item->widget()->hide();
     item->widget()->deleteLater();  // it may be the one that was clicked
@@ -126,6 +131,7 @@ void InputEditor::rebuild(const std::vector<FeatureId>& taken) {
     chips_->addWidget(none);
   }
   placeLine();
+  if (focused >= 0 && !taken.empty()) chips_->itemAt(std::min(focused, chips_->count() - 1))->widget()->setFocus();
 }
 
 // A name that there is no room for beside the caption stands below it.
@@ -222,7 +228,10 @@ void InputEditor::take(std::size_t place, const FeatureId& id) {
 
 void InputEditor::commit(const std::vector<FeatureId>& taken) {
   Feature feature = session_.document().at(feature_);
+  const std::vector<FeatureId> before = inputSlots()->of(spec_);
   feature.inputs = inputSlots()->with(spec_, taken);
+  feature.parameters =
+      withItemsOfShapes(*type_, std::move(feature.parameters), input().name, formerPlaces(before, taken), before.size());
   const QString what = tr("Change %1 of %2").arg(registryText(input().name), qt(shownName(feature)));
   try {
     const Document changed = session_.document().with(feature);

@@ -45,7 +45,8 @@ std::vector<FeatureId> InputSlots::candidates(std::size_t spec) const {
   std::vector<FeatureId> found;
   for (const auto& other : session_.document().features()) {
     const auto& taken = taken_.at(spec);
-    if (std::find(taken.begin(), taken.end(), other->id) != taken.end()) continue;
+    const bool mayBeTwice = type_.inputs.at(spec).use == InputUse::Control;
+    if (!mayBeTwice && std::find(taken.begin(), taken.end(), other->id) != taken.end()) continue;
     if (accepts(spec, other->id) && !dependsOnThis(other->id)) found.push_back(other->id);
   }
   return found;

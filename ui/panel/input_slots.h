@@ -17,7 +17,8 @@ class InputSlots {
 
   /// Inputs of one spec, in order.
   [[nodiscard]] const std::vector<FeatureId>& of(std::size_t spec) const { return taken_.at(spec); }
-  /// Features that input `spec` could get: of suitable kinds, not depending on this feature, not chosen yet.
+  /// Features that input `spec` could get: of suitable kinds, not depending on this feature, not chosen yet but for control
+  /// shapes, of which one may stand at several places.
   [[nodiscard]] std::vector<FeatureId> candidates(std::size_t spec) const;
   [[nodiscard]] bool accepts(std::size_t spec, const FeatureId&) const;
   /// All inputs with those of one spec replaced.

@@ -209,11 +209,12 @@ void MinkowskiPathWindowTest::ofMoreShapesThereAreCurves() {
   COMPARE_NEAR(path()[0][2].get<double>(), 0.25, 0.02);
   QCOMPARE(path()[0][0], Value(0.0));
   QCOMPARE(path()[1], Value::parse("[1.0,1.0,1.0]"));
-  // A point that is put in lies on all curves.
+  // A point that is put in lies where the mouse is, and on the other curves.
   QTest::mouseDClick(pad(), Qt::LeftButton, {}, QPoint((spot(0).x() + spot(1).x()) / 2, bottom - 5));
   waitUntilComputed();
   QCOMPARE(path().size(), std::size_t{3});
-  COMPARE_NEAR(path()[1][0].get<double>(), 0.5, 0.02);
+  COMPARE_NEAR(path()[1][0].get<double>(), 5.0 / height, 0.02);
+  COMPARE_NEAR(path()[1][1].get<double>(), 0.5, 0.02);
   COMPARE_NEAR(path()[1][2].get<double>(), (1 + path()[0][2].get<double>()) / 2, 0.02);
 }
 

@@ -9,6 +9,7 @@
 #include "ui/look/theme.h"
 #include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"
+#include "ui/timeline/timeline_bar.h"
 #include "ui/tools/pick_tool.h"
 #include "ui/tools/point_tool.h"
 #include "ui/tree/document_tree.h"
@@ -142,6 +143,7 @@ void DocumentPage::connectWidgets() {
   connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
   for (const ErrorBar* bar : {errors_, static_cast<ErrorBar*>(faults_)})
     connect(bar, &ErrorBar::focusFreed, view_, [this] { view_->setFocus(); });
+  connect(timeline_, &TimelineBar::focusFreed, view_, [this] { view_->setFocus(); });
   connect(faults_, &FaultBar::featureWanted, this, [this](const QString& id) { tree_->select(id.toStdString()); });
   connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
   connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);

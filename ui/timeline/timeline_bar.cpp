@@ -34,7 +34,7 @@ QToolButton* barButton(const QString& iconName, const QString& help, bool checka
 }  // namespace
 
 TimelineBar::TimelineBar(Playback& playback, QWidget* parent)
-    : QWidget(parent),
+    : PassingBar(parent),
       playback_(playback),
       first_(barButton(QStringLiteral("first"), tr("First frame"))),
       back_(barButton(QStringLiteral("chevron-left"), tr("Frame before"))),

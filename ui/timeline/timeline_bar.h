@@ -1,7 +1,8 @@
 #pragma once
-#include <QWidget>
 #include <optional>
 #include <vector>
+
+#include "ui/look/passing_bar.h"
 
 class QComboBox;
 class QLabel;
@@ -21,7 +22,7 @@ struct TimelineKeys {
 
 /// The bar under the view while a sequence is shown: play, scrub, speed, loop, onion skin, and the keys of a sequence that
 /// has some.
-class TimelineBar : public QWidget {
+class TimelineBar : public PassingBar {
   Q_OBJECT
  public:
   explicit TimelineBar(Playback&, QWidget* parent = nullptr);

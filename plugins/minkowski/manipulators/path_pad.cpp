@@ -109,12 +109,20 @@ void PathPad::moveChosen(const QPointF& values) {
   emit dragged();
 }
 
-/// In the square where the mouse is, else on the curves.
+/// In the square where the mouse is, else on the curves, of which the nearest one is led through the mouse.
 void PathPad::insertAt(const QPointF& pixels) {
   const std::size_t way = path_.points().size() < 2 ? 0 : wayNear(pixels);
   const QPointF values = toValues(pixels, false);
-  path_.insert(way + 1, square() ? PathPoints::Point{values.x(), values.y()} : path_.at(values.x()));
-  chosen_ = Spot{way + 1, chosen_ ? chosen_->argument : 0};
+  PathPoints::Point point = square() ? PathPoints::Point{values.x(), values.y()} : path_.at(values.x());
+  std::size_t argument = 0;
+  if (!square()) {
+    const auto away = [&](double value) { return std::abs(value - values.y()); };
+    const auto nearest = std::min_element(point.begin(), point.end(), [&](double a, double b) { return away(a) < away(b); });
+    argument = static_cast<std::size_t>(nearest - point.begin());
+    if (away(*nearest) * field().height() > spotReach) *nearest = values.y();
+  }
+  path_.insert(way + 1, std::move(point));
+  chosen_ = Spot{way + 1, argument};
   update();
   emit changed();
 }

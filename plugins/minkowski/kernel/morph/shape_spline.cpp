@@ -125,6 +125,10 @@ ShapeKnots uniformKnots(std::size_t shapes, int degree) {
 ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots) {
   if (degree == 0 && knots.size() > shapes + 1) degree = static_cast<int>(knots.size() - shapes) - 1;
   if (degree == 0 && knots.empty()) degree = static_cast<int>(shapes) - 1;
+  if (degree == 0)
+    refuseKnots(fmt::format("{} are too few knots for {} control shapes.", knots.size(), shapes),
+                fmt::format("Give {} for degree 1, up to {} for degree {}; or none, for evenly spaced ones.", shapes + 2,
+                            2 * shapes, shapes - 1));
   ShapeKnots spline = knots.empty() ? uniformKnots(shapes, degree) : ShapeKnots{degree, knots};
   checkKnots(spline, shapes);
   return spline;

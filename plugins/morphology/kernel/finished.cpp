@@ -18,6 +18,7 @@
 #include "kernel/manifold.h"
 #include "kernel/plane_triangles.h"
 #include "kernel/self_crossing.h"
+#include "kernel/separated.h"
 #include "kernel/side_by_side.h"
 #include "kernel/slivers.h"
 
@@ -190,9 +191,9 @@ class Rounding {
     double step = 0;
   };
   /// @param forms the same surface, with polygons or triangles
-  [[nodiscard]] std::optional<Rounded> from(const std::vector<Mesh>& forms, int finest) {
-    constexpr int mostBits = 24;
-    for (int bits = 0; bits <= mostBits; bits += 2)
+  /// @param bits of the first grid after the finest one, and of the last one
+  [[nodiscard]] std::optional<Rounded> from(const std::vector<Mesh>& forms, int finest, int firstBits, int lastBits) {
+    for (int bits = firstBits; bits <= lastBits; bits += 2)
       for (const Mesh& form : forms)
         if (auto made = onGrid(form, std::ldexp(1, finest + bits))) return made;
     return std::nullopt;
@@ -216,7 +217,25 @@ std::string movedBySentence(double step) {
   return fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", step);
 }
 
-constexpr double leastThickness = 1e-12;  ///< of the size: thinner voids and bodies may be turned by rounding
+/// With what is nearly one made one; nothing when that does not help.
+std::optional<Finished> withNearOnesUnited(const Mesh& triangles, double size, Attempts& attempts,
+                                           const Progress& progress) {
+  for (const double share : {1e-11, 1e-10, 1e-9}) {
+    const double least = share * size;
+    const auto apart = separated(triangles, least, progress);
+    if (!apart || apart->faceCount() == 0) continue;
+    const Mesh whole = inOrder(manifoldOf(*apart, progress));
+    if (!meshTopology(whole).closed()) continue;
+    const Mesh joined = joinedCoplanar(whole, {.tolerance = 8 * least}, progress);
+    if (auto made = attempts.withFewerPolygons(manifoldOf(joined, progress)))
+      return Finished{inOrder(*made), movedBySentence(least)};
+    if (auto made = attempts.asIs(whole)) return Finished{inOrder(*made), movedBySentence(least)};
+  }
+  return std::nullopt;
+}
+
+constexpr int fewBits = 4, mostBits = 24;  ///< by which grids are coarser than the finest one
+constexpr double leastThickness = 1e-12;   ///< of the size: thinner voids and bodies may be turned by rounding
 
 }  // namespace
 
@@ -252,7 +271,11 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(triangles)) return {inOrder(*made), {}};
   const int finest = std::ilogb(std::max(size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
-  if (auto made = Rounding(centre, attempts, progress).from({joined, triangles}, finest))
+  Rounding rounding(centre, attempts, progress);
+  if (auto made = rounding.from({joined, triangles}, finest, 0, fewBits))
+    return {inOrder(made->mesh), movedBySentence(made->step)};
+  if (auto made = withNearOnesUnited(triangles, size, attempts, progress)) return *std::move(made);
+  if (auto made = rounding.from({joined, triangles}, finest, fewBits + 2, mostBits))
     return {inOrder(made->mesh), movedBySentence(made->step)};
   if (attempts.crossing()) crossing = attempts.crossing();
   throw CannotBeRounded(
@@ -265,7 +288,7 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& progress) {
   const Vec3 centre = Vec3::Zero();
   Attempts attempts(centre, progress);
-  auto made = Rounding(centre, attempts, progress).from({triangles}, std::ilogb(step));
+  auto made = Rounding(centre, attempts, progress).from({triangles}, std::ilogb(step), 0, mostBits);
   if (!made) return std::nullopt;
   return OnGrid{triangulated(made->mesh, progress).first, made->step};
 }

@@ -3,15 +3,16 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/triangle_crossing.h"
+#include "geometry/numeric/box_tree.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/manifold.h"
 #include "kernel/near_walls.h"
@@ -29,7 +30,7 @@ Point toKernel(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 struct Triangle {
   Triangle3 at;
   int component = 0;
-  [[nodiscard]] CGAL::Bbox_3 box() const { return toKernel(at[0]).bbox() + toKernel(at[1]).bbox() + toKernel(at[2]).bbox(); }
+  [[nodiscard]] Box3 box() const { return Box3(at[0]).extend(at[1]).extend(at[2]); }
 };
 
 std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<int>& componentOfFace) {
@@ -41,31 +42,43 @@ std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<int>& comp
   return triangles;
 }
 
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Triangle*>;
-
-std::vector<Box> boxesOf(const std::vector<Triangle>& triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) boxes.emplace_back(t.box(), &t);
-  return boxes;
-}
-
 /// First crossing within a shell, and first between two of them.
 struct Crossings {
   std::optional<Vec3> within, between;
 };
 
-Crossings crossingsOf(const std::vector<Triangle>& triangles, const Progress& progress) {
+/// Those of a triangle with triangles after it.
+Crossings crossingsWithLater(std::size_t t, const std::vector<Triangle>& triangles, const BoxTree<3>& tree) {
   Crossings found;
-  std::size_t count = 0;
-  auto boxes = boxesOf(triangles);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (++count % 4096 == 0) progress.check();
-    const Triangle &first = *a.handle(), &second = *b.handle();
-    const bool same = first.component == second.component;
-    auto& place = same ? found.within : found.between;
-    if (!place) place = crossingElsewhere(first.at, second.at);
+  std::size_t lowestWithin = triangles.size(), lowestBetween = triangles.size();
+  const Box3 box = triangles[t].box();
+  const auto visit = [&](std::size_t other) {
+    const bool same = triangles[t].component == triangles[other].component;
+    std::size_t& lowest = same ? lowestWithin : lowestBetween;
+    if (other >= lowest || !box.intersects(triangles[other].box())) return;
+    const auto place = crossingElsewhere(triangles[t].at, triangles[other].at);
+    if (!place) return;
+    lowest = other;
+    (same ? found.within : found.between) = place;
+  };
+  tree.meeting(box, visit, t + 1);
+  return found;
+}
+
+Crossings crossingsOf(const std::vector<Triangle>& triangles, const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& t : triangles) boxes.push_back(t.box());
+  const BoxTree<3> tree(boxes, 4, progress);
+  std::vector<Crossings> ofEach(triangles.size());
+  parallelFor(triangles.size(), 128, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) ofEach[t] = crossingsWithLater(t, triangles, tree);
   });
+  Crossings found;
+  for (const Crossings& each : ofEach) {
+    if (!found.within) found.within = each.within;
+    if (!found.between) found.between = each.between;
+  }
   return found;
 }
 
@@ -102,8 +115,8 @@ constexpr double narrowCrack = 1e-6;  ///< of the size: gaps that files with few
 
 std::optional<Vec3> firstDegenerate(const Mesh& mesh) {
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    const auto points = facePoints(mesh, f);
-    if (CGAL::collinear(toKernel(points[0]), toKernel(points[1]), toKernel(points[2]))) return points[0];
+    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(mesh.face(f)[k])]; };
+    if (CGAL::collinear(toKernel(at(0)), toKernel(at(1)), toKernel(at(2)))) return at(0);
   }
   return std::nullopt;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <mutex>
 
+#include "core/parallel.h"
 #include "geometry/mesh/closed_triangles.h"
 #include "geometry/numeric/union_find.h"
 
@@ -45,6 +47,21 @@ void markTouched(const Corners& t, CellRows& touched) {
   const Corners middles{(t[1] + t[2]) / 2, (t[2] + t[0]) / 2, (t[0] + t[1]) / 2};
   markTouched(middles, touched);
   for (std::size_t k = 0; k < 3; ++k) markTouched({t[k], middles[(k + 2) % 3], middles[(k + 1) % 3]}, touched);
+}
+
+CellRows touchedCells(const std::vector<Triangle3>& triangles, const std::array<int, 3>& cells, const Progress& progress) {
+  CellRows touched(cells);
+  std::mutex one;
+  parallelFor(triangles.size(), 128, progress, [&](std::size_t first, std::size_t last) {
+    CellRows here(cells);
+    for (std::size_t t = first; t < last; ++t) {
+      progress.check();
+      markTouched({triangles[t][0], triangles[t][1], triangles[t][2]}, here);
+    }
+    const std::scoped_lock lock(one);
+    touched.add(here);
+  });
+  return touched;
 }
 
 /// Neighbouring cells of a row that no face touches.
@@ -98,13 +115,11 @@ UnionFind groupsOf(const Runs& runs, int rowsOfLayer) {
 CellRows fullCells(const Features& shape, bool insideOut, const CellFrame& frame, const Progress& progress) {
   std::vector<Triangle3> triangles;
   triangles.reserve(shape.faces.size());
-  CellRows touched(frame.cells);
   for (const Features::Face& face : shape.faces) {
-    progress.check();
     const auto at = [&](std::size_t k) { return frame.inCells(shape.points[static_cast<std::size_t>(face.corners[k])]); };
     triangles.push_back({at(0), at(1), at(2)});
-    markTouched({at(0), at(1), at(2)}, touched);
   }
+  const CellRows touched = touchedCells(triangles, frame.cells, progress);
   const Runs runs = untouchedRuns(touched);
   UnionFind groups = groupsOf(runs, frame.cells[1]);
   std::vector<std::size_t> longest(runs.all.size());

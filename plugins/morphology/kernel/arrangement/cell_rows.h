@@ -42,6 +42,10 @@ class CellRows {
   static Row bits(int first, int last) { return ~Row{0} >> (longest - 1 - last + first) << first; }
   /// Marks all cells from `low` to `high` that the frame has.
   void mark(Cell low, Cell high);
+  /// Marks what is marked in cells of the same frame.
+  void add(const CellRows& other) {
+    for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] |= other.rows_[k];
+  }
   /// Whether all cells from `low` to `high` are marked; false where they leave the frame.
   [[nodiscard]] bool all(const Cell& low, const Cell& high) const;
 

@@ -78,6 +78,10 @@ FeatureType polygonFeature() {
   using P = PolygonParameters;
   return feature<P>("modeling.polygon", "Polygon", "A regular polygon.")
       .icon("polygon")
+      .keywords({"triangle"}, {{"sides", 3}})
+      .keywords({"pentagon"}, {{"sides", 5}})
+      .keywords({"hexagon"}, {{"sides", 6}})
+      .keywords({"octagon"}, {{"sides", 8}})
       .produces({ShapeKind::Region})
       .parameter("sides", &P::sides, count(3, 10000), "Number of sides.")
       .parameter("radius", &P::radius, positiveLength(), "Radius of the circle around it or inside it.")

@@ -31,6 +31,7 @@ class PaletteTest : public TreeFixture {
   void aBooleanBeginsAsItWasAskedFor();
   void whatCannotBeDoneSaysWhy();
   void theStatusIsAsBeforeWhenItCloses();
+  void whatIsNotFoundIsTold();
   void itClosesWithoutDoingAnything();
 
  private:
@@ -223,6 +224,14 @@ void PaletteTest::theStatusIsAsBeforeWhenItCloses() {
   openPalette(QStringLiteral("grid"));
   QTest::keyClick(palette().field(), Qt::Key_Escape);
   QTRY_COMPARE_WITH_TIMEOUT(status->hint(), wanted, 10000);
+}
+
+void PaletteTest::whatIsNotFoundIsTold() {
+  openPalette(QStringLiteral("box"));
+  palette().field()->setText(QStringLiteral("no such thing"));
+  const auto* status = window_->findChild<StatusLine*>();
+  QTRY_COMPARE(status->hint(), QStringLiteral("Nothing is called \"no such thing\"."));
+  QTest::keyClick(palette().field(), Qt::Key_Escape);
 }
 
 void PaletteTest::itClosesWithoutDoingAnything() {

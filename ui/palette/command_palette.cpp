@@ -113,6 +113,7 @@ void CommandPalette::refresh(const QString& pattern) {
   nothing_->setText(tr("Nothing is called \"%1\".").arg(pattern));
   list_->setCurrentIndex(model_->index(0));
   list_->scrollToTop();
+  if (model_->rowCount() == 0) emit hint(nothing_->text());
   place();
 }
 

@@ -44,6 +44,8 @@ void warnOfUnused(const GrowParameters& p, bool byElement, Evaluated& out) {
     out.warnings.emplace_back(
         "Radius, subdivisions and fit have no effect: they are of the ball. An element is taken as drawn, as many times as "
         "large as `size` says.");
+  if (!byElement && p.until == Until::Nothing && p.radius != unset.radius)
+    out.warnings.emplace_back("The radius has no effect: the solid melts until nothing is left.");
   if (!byElement && p.size != unset.size)
     out.warnings.emplace_back("The size has no effect: it is of an element. The ball has its radius.");
 }

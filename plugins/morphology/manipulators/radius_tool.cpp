@@ -28,9 +28,11 @@ RadiusTool::RadiusTool(ui::ToolHost& toolHost, FeatureId feature, Direction dire
 void RadiusTool::load() {
   base_ = host().document();
   const Feature& now = base_.at(feature());
-  radius_ = completed(host().registry().at(now.type)->parameters, now.parameters).at("radius").get<double>();
+  const Value parameters = completed(host().registry().at(now.type)->parameters, now.parameters);
+  radius_ = parameters.at("radius").get<double>();
   top_.reset();
-  if (now.inputs.empty()) return;
+  const bool isUsed = now.inputs.size() == 1 && parameters.value("until", "size") == "size";
+  if (!isUsed) return;
   const auto solid = host().result(now.inputs.front());
   if (!solid || solid->error) return;
   const Bounds box = bounds(solid->evaluated.shape);
@@ -73,7 +75,9 @@ void RadiusTool::drag(const ui::ToolEvent& event) {
   double radius = sign() * (*height - grabbed_);
   if (!event.modifiers.testFlag(Qt::ControlModifier)) {
     const double step = host().gridSpacing() / stepsPerGridSpacing;
-    radius = std::max(1.0, std::round(radius / step)) * step;
+    const double perMillimetre = 1 / step, whole = std::round(perMillimetre);
+    const double steps = std::max(1.0, std::round(radius / step));
+    radius = std::abs(perMillimetre - whole) < 1e-9 * whole ? steps / whole : steps * step;  // 0.3, not 3 * 0.1
   }
   radius = std::max(radius, smallest);
   if (radius == radius_) return;

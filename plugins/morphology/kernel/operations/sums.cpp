@@ -34,8 +34,8 @@ bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Op
 [[noreturn]] void refuseNothingLeft(Work& work, const Operand& a, const Pair& pair) {
   const Mesh nothing;
   const bool isTight = fitsExactly(work, pair.a, pair.b, pair.grid, &nothing);
-  nothingLeft(a, isTight ? "It fits exactly, without room to move: make the second shape a little smaller."
-                         : "Choose a smaller second shape.");
+  nothingLeft(a, isTight ? "It fits exactly, without room to move: make it a little smaller."
+                         : "Choose a smaller radius or second shape.");
 }
 
 /// @param left of the first shape; nothing: not known as a mesh

@@ -157,8 +157,8 @@ void refuseTurnedShell(const Prepared& operand) {
 void nothingLeft(const Operand& operand, const std::string& remedy) {
   std::string name = operand.name;
   if (!name.empty() && name[0] == 'T') name[0] = 't';  // "The solid" inside a sentence
-  throw Error(ErrorCode::Degenerate,
-              fmt::format("Nothing is left of {}: there is no room in it for what it is melted by.", name), remedy);
+  throw Error(ErrorCode::Degenerate, fmt::format("Nothing is left of {}: what is moved about in it has no room.", name),
+              remedy);
 }
 
 }  // namespace blossom::morphology

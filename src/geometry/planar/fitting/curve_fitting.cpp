@@ -235,8 +235,8 @@ class RingFitter {
     std::size_t corner = 0;
   };
 
-  /// Through the ends of sides that lie on the curve: sides of two curves have others beside it, and hollow ones cross each
-  /// other before they end. Where there are too few of them, through corners.
+  /// Through the ends of sides that lie on the curve, and points of it beside sides: sides of two curves have ends beside
+  /// it, and hollow ones cross each other before they end. Where there are too few of them, through corners.
   [[nodiscard]] Spline2 splineOf(const Run& run, const Vec2& from, const Vec2& to) const {
     std::vector<Passage> passages{{{from, directionAt(run, 0, run.corners.front())}, 0}};
     const auto add = [&](std::size_t side, const FreePoint& end, std::size_t corner) {
@@ -250,6 +250,7 @@ class RingFitter {
       const FreeSide& side = run.sides[i];
       const bool forward = (side.to.at - side.from.at).dot(run.corners[i + 1] - run.corners[i]) > 0;
       if (i > 0) add(i, forward ? side.from : side.to, i);
+      if (side.between && isPassed(run, i, side.between->at)) add(i, *side.between, i);
       if (i + 1 < run.sides.size()) add(i, forward ? side.to : side.from, i + 1);
     }
     const std::size_t last = run.sides.size();
@@ -260,6 +261,13 @@ class RingFitter {
       points.push_back(passages[k].point);
     }
     return splineThrough(points, fitting_.gap / 16);
+  }
+
+  /// Whether a point lies beside what is left of side i.
+  static bool isPassed(const Run& run, std::size_t i, const Vec2& p) {
+    const Vec2 along = run.corners[i + 1] - run.corners[i];
+    const double way = (p - run.corners[i]).dot(along);
+    return way > 0 && way < along.squaredNorm();
   }
 
   /// As many corners as keep the spline beside all of them.

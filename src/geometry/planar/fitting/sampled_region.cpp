@@ -261,12 +261,26 @@ CornerCurve curveAt(const SampledCorner& corner, double normal) {
   return {};
 }
 
+/// The point of the curve beside a side where the normal has an angle, as if the curve were an arc there; nothing where that
+/// is at an end.
+std::optional<FreePoint> pointBeside(const SampledSide& side, double normal) {
+  const double turn = turnFrom(side.normalFrom, side.normalTo), part = turnFrom(side.normalFrom, normal);
+  const double share = std::abs(turn) > sameAngle ? part / turn : 0;
+  constexpr double margin = 1e-3;
+  if (!(share > margin && share < 1 - margin)) return std::nullopt;
+  const double rise = (side.to - side.from).norm() * turn / 2 * share * (1 - share);
+  return FreePoint{side.from + share * (side.to - side.from) + rise * unitAt(side.normal), normal};
+}
+
 FreeSide freeSide(const SampledSide& side, const SampledCorner& by, std::uint32_t corner, const CornerCurve& along) {
   const auto onCurve = [&](double normal) { return !along.curve || std::abs(turnFrom(along.normal, normal)) <= sameAngle; };
   const std::uint64_t moves = along.curve ? 2 * std::uint64_t{*along.curve} : 2 * std::uint64_t{corner} + 1;
-  return {{2 * std::uint64_t{*side.curve}, moves},
-          {side.from + by.at, side.normalFrom, onCurve(side.normalFrom)},
-          {side.to + by.at, side.normalTo, onCurve(side.normalTo)}};
+  FreeSide made{{2 * std::uint64_t{*side.curve}, moves},
+                {side.from + by.at, side.normalFrom, onCurve(side.normalFrom)},
+                {side.to + by.at, side.normalTo, onCurve(side.normalTo)}};
+  if (along.curve && !made.from.isOnCurve && !made.to.isOnCurve) made.between = pointBeside(side, along.normal);
+  if (made.between) made.between->at += by.at;
+  return made;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -31,6 +32,7 @@ struct FreePoint {
 struct FreeSide {
   std::array<std::uint64_t, 2> name{};
   FreePoint from, to;
+  std::optional<FreePoint> between = {};  ///< of the curve itself, where its ends are not
 };
 
 /// The curve that an edge of a convolution stands for.

@@ -53,6 +53,7 @@ class DragDetailTest : public QObject {
   void oneThatCannotBeMadeChangesNothing();
   void oneCoarseDocumentAtATime();
   void whatHasNoCoarserOneIsShownAsItIs();
+  void slowOnesWithoutACoarserOneComeOneAtATime();
   void nothingComesAfterTheEnd();
 };
 
@@ -131,9 +132,26 @@ void DragDetailTest::oneCoarseDocumentAtATime() {
 
 void DragDetailTest::whatHasNoCoarserOneIsShownAsItIs() {
   Sink sink;
-  sink.detail.setBudget(-1);
+  sink.detail.setBudget(1e9);
   for (int k = 1; k <= 3; ++k) sink.detail.show(documentOf(k), {});
   QCOMPARE(sink.sent, (std::vector<int>{1, 2, 3}));
+}
+
+/// Cancelled by each movement, none would ever be seen.
+void DragDetailTest::slowOnesWithoutACoarserOneComeOneAtATime() {
+  Sink sink;
+  sink.detail.setBudget(-1);
+  for (int k = 1; k <= 3; ++k) sink.detail.show(documentOf(k), {});
+  QCOMPARE(sink.sent, (std::vector<int>{1}));
+  sink.answer();
+  QCOMPARE(sink.sent, (std::vector<int>{1, 3}));  // the newest
+  sink.answer();
+  QCOMPARE(sink.sent.size(), std::size_t{2});
+  sink.detail.show(documentOf(4), {});
+  sink.detail.show(documentOf(5), {});
+  QTRY_COMPARE(sink.sent, (std::vector<int>{1, 3, 4, 5}));  // at rest, though 4 was not answered
+  QTest::qWait(2 * DragDetail::restMs);
+  QCOMPARE(sink.sent.size(), std::size_t{4});
 }
 
 void DragDetailTest::nothingComesAfterTheEnd() {

@@ -337,6 +337,7 @@ void PropertyPanel::refreshResult() {
   const bool standIn = session_.coarse() && view && view->result->evaluated.shape.kind() == ShapeKind::Sequence;
   if (!standIn) result_->show(view.get(), besides, session_.outdated(shown_));
   showFault();
+  if (session_.coarse()) return;  // what is told of a preview must not push away the slider that is dragged
   showNotice(view && !view->result->error ? view->result->evaluated.warnings : std::vector<std::string>());
 }
 

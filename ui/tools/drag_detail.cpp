@@ -25,7 +25,7 @@ DragDetail::DragDetail(Send sender, Newest newest, Clock clock)
   rest_.setSingleShot(true);
   rest_.setInterval(restMs);
   connect(&rest_, &QTimer::timeout, this, [this] {
-    if (wanted_) send(false);
+    if (wanted_ && (coarser_ || unsent_)) send(false);
   });
 }
 
@@ -34,12 +34,13 @@ void DragDetail::show(Document document, const Coarser& coarser) {
   wanted_ = std::move(document);
   coarser_ = coarser;
   unsent_ = true;
-  if (!slow_ || !coarser_) {
+  if (!slow_) {
     rest_.stop();
     return send(false);
   }
   rest_.start();
-  if (underWay_ != Sent::Coarse) send(true);
+  if (!coarser_ && underWay_ == Sent::Nothing) send(false);
+  if (coarser_ && underWay_ != Sent::Coarse) send(true);
 }
 
 /// What was cancelled by its successor never arrives: it counts for as long as it has been awaited.
@@ -53,9 +54,9 @@ void DragDetail::look() {
 }
 
 void DragDetail::resultsChanged() {
-  const bool coarse = underWay_ == Sent::Coarse;
+  const bool isFollowed = underWay_ == Sent::Coarse || (underWay_ == Sent::Whole && slow_ && !coarser_);
   look();
-  if (coarse && underWay_ == Sent::Nothing && unsent_ && wanted_) send(true);
+  if (isFollowed && underWay_ == Sent::Nothing && unsent_ && wanted_) send(coarser_ != nullptr);
 }
 
 // Whoever is sent to may answer at once. A coarser document that cannot be made leaves everything as it was. Whole ones that

@@ -12,7 +12,7 @@ namespace blossom::ui {
 
 /// What is shown while something is dragged: the document itself as long as its results come within the frame budget, else
 /// results of a coarser one, until the hand rests. One coarse document is computed at a time and the newest waits: the shape
-/// goes on to follow, however long one takes.
+/// goes on to follow, however long one takes. So do whole ones that take long where there is none coarser.
 class DragDetail final : public QObject {
   Q_OBJECT
  public:

@@ -197,8 +197,8 @@ class MorphologyFeatureTest : public QObject {
   }
 
   void theSampleDocumentsAreWhole() {
-    for (const char* name :
-         {"block-to-wedge", "notched-sum", "melting-ice", "inflated-letter", "smooth-ice", "by-way-of-a-ball"}) {
+    for (const char* name : {"block-to-wedge", "convex-pair", "notched-sum", "gear-with-clearance", "melting-ice",
+                             "inflated-letter", "rounded-letters", "smooth-ice", "by-way-of-a-ball"}) {
       const Answer info = blossom({"info", QString::fromStdString((sample(std::string(name) + ".blossom")).string())});
       QVERIFY2(info.code == 0, info.json.dump().c_str());
     }

@@ -31,6 +31,39 @@ Document notchedPlusPyramid(const App& app) {
   return document;
 }
 
+/// Figure 4: the sum of two convex solids.
+Document convexPair(const App& app) {
+  Document document;
+  const auto base = add(app, document, "polygon", "Base", {{"sides", 5}, {"radius", 25}, {"rotation", 90}});
+  const auto block = add(app, document, "extrude", "Block", {{"height", 20}}, {base});
+  const auto triangle = add(app, document, "polygon", "Triangle", {{"sides", 3}, {"radius", 10}, {"centre", {60, 0, 0}}});
+  const auto pyramid = add(app, document, "extrude", "Tapered", {{"height", 14}, {"taper", 15}}, {triangle});
+  add(app, document, "solid-sum", "Block plus tapered", Value::object(), {block, pyramid});
+  return document;
+}
+
+/// A gear lies in a recess that is larger than it on all sides.
+Document gearWithClearance(const App& app) {
+  Document document;
+  const auto outline = add(app, document, "star", "Outline", {{"points", 12}, {"outer", 22}, {"inner", 17}});
+  const auto gear = add(app, document, "extrude", "Gear", {{"height", 10}}, {outline});
+  const auto grown = add(app, document, "inflate", "Gear and clearance", {{"radius", 0.8}, {"subdivisions", 1}}, {gear});
+  const auto plate =
+      add(app, document, "box", "Plate", {{"width", 60}, {"depth", 60}, {"height", 9}, {"position", {-30, -30, -4}}});
+  add(app, document, "transform", "Gear lifted", {{"move", {0, 0, 14}}}, {gear});
+  add(app, document, "boolean", "Recess", {{"operation", "difference"}}, {plate, grown});
+  return document;
+}
+
+/// Letters whose edges, outer and inner ones, are rounded by a ball.
+Document roundedLetters(const App& app) {
+  Document document;
+  const auto text = add(app, document, "text", "Letters", {{"text", "Ta"}, {"style", "bold"}, {"height", 30}});
+  const auto raised = add(app, document, "extrude", "Raised", {{"height", 8}}, {text});
+  add(app, document, "solid-round", "Rounded", {{"radius", 1.2}, {"edges", "both"}, {"subdivisions", 2}}, {raised});
+  return document;
+}
+
 /// Section 3.2: a piece of ice melts. Thin parts go first, what is thick lasts.
 Document meltingIce(const App& app) {
   Document document;
@@ -77,6 +110,9 @@ int main(int argc, char** argv) {
   return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     saveDocument(blockToWedge(app), folder / "block-to-wedge.blossom");
     saveDocument(notchedPlusPyramid(app), folder / "notched-sum.blossom");
+    saveDocument(convexPair(app), folder / "convex-pair.blossom");
+    saveDocument(gearWithClearance(app), folder / "gear-with-clearance.blossom");
+    saveDocument(roundedLetters(app), folder / "rounded-letters.blossom");
     saveDocument(meltingIce(app), folder / "melting-ice.blossom");
     saveDocument(inflatedLetter(app), folder / "inflated-letter.blossom");
     saveDocument(smoothIce(app), folder / "smooth-ice.blossom");

@@ -259,7 +259,8 @@ void MinkowskiHandlesTest::anySequenceOfDragsEndsWhereItsNumbersSay() {
     if (grip == 2) drag(tool, onRing(turn + 90, 1), onRing(direction(random), size(random)));
     const Value offsets = given(bench, id, "offsets"), scales = given(bench, id, "scales"),
                 turns = given(bench, id, "turns");
-    if (offsets.size() > 1) centre = second + Vec2(offsets[1][0].get<double>(), offsets[1][1].get<double>());
+    const bool isMoved = offsets.size() > 1;
+    centre = isMoved ? Vec2(second + Vec2(offsets[1][0].get<double>(), offsets[1][1].get<double>())) : second;
     scale = scales.size() > 1 ? scales[1].get<double>() : 1;
     turn = turns.size() > 1 ? turns[1].get<double>() : 0;
     COMPARE_NEAR(scale * 10, std::round(scale * 10), 1e-9);

@@ -88,6 +88,7 @@ class Separation {
   void leaveOutBackToBack() {
     std::map<Corners, int> balance;
     for (Corners face : faces_) {
+      progress_.check();
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       if (face[1] < face[2])
         ++balance[face];
@@ -143,6 +144,7 @@ class Separation {
     const BoxTree<3> tree(boxesOf(all), 4, progress_);
     Places places;
     for (const int point : usedPoints()) {
+      progress_.check();
       const Vec3& p = at(point);
       tree.meeting(Box3(p, p), [&](std::size_t e) {
         const auto& [from, to] = all[e];
@@ -179,6 +181,7 @@ class Separation {
     const BoxTree<3> tree(boxesOf(faces_, [](const Corners& face) { return face; }), 4, progress_);
     std::vector<std::pair<std::size_t, int>> near;  // face, point
     for (const int point : usedPoints()) {
+      progress_.check();
       const Vec3& p = at(point);
       tree.meeting(Box3(p, p), [&](std::size_t f) {
         if (std::find(faces_[f].begin(), faces_[f].end(), point) == faces_[f].end() && isOnFace(faces_[f], p))
@@ -212,6 +215,7 @@ class Separation {
     std::vector<Part> open;
     for (const Corners& face : std::exchange(faces_, {})) open.push_back({face, {true, true, true}});
     while (!open.empty()) {
+      progress_.check();
       const Part part = open.back();
       open.pop_back();
       if (!divide(part, places, open)) faces_.push_back(part.corners);

@@ -228,8 +228,8 @@ std::optional<Finished> withNearOnesUnited(const Mesh& triangles, double size, A
     if (!meshTopology(whole).closed()) continue;
     const Mesh joined = joinedCoplanar(whole, {.tolerance = 8 * least}, progress);
     if (auto made = attempts.withFewerPolygons(manifoldOf(joined, progress)))
-      return Finished{inOrder(*made), movedBySentence(least)};
-    if (auto made = attempts.asIs(whole)) return Finished{inOrder(*made), movedBySentence(least)};
+      return Finished{inOrder(*made), movedBySentence(2 * least)};
+    if (auto made = attempts.asIs(whole)) return Finished{inOrder(*made), movedBySentence(2 * least)};
   }
   return std::nullopt;
 }

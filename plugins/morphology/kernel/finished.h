@@ -26,7 +26,8 @@ class CannotBeRounded : public Error {
 
 /// Closed, oriented triangles about `centre` as polygons: coplanar triangles are joined, vertices inside straight edges
 /// removed (see joinedFacesFlatness). Where rounding makes faces intersect, fewer are joined; where they still do, corners
-/// are rounded to coarser and coarser grids. The same solid always results in the same mesh, however it was triangulated.
+/// are rounded to coarser grids, and what nearly lies on each other is made one (separated.h). The same solid always results
+/// in the same mesh, however it was triangulated.
 /// @param slivers whether voids and bodies stay that are thinner than rounding, which may turn them inside out
 /// @throws CannotBeRounded with the place when faces intersect on every grid; Error Internal, Cancelled.
 Finished finished(const Mesh& triangles, const Vec3& centre, Slivers slivers, const Progress&);

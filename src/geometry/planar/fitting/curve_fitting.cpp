@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "geometry/planar/angles.h"
-#include "geometry/planar/fitting/hermite_spline.h"
+#include "geometry/planar/fitting/free_run.h"
 #include "geometry/planar/fitting/segment_crossing.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/sound_region.h"
@@ -229,73 +228,8 @@ class RingFitter {
     return arriving.dot(along(start)) + leaving.dot(along(end)) >= 0 ? ahead : ahead - fullTurn;
   }
 
-  /// A point of a free curve, and the corner of the run where it is.
-  struct Passage {
-    DirectedPoint point;
-    std::size_t corner = 0;
-  };
-
-  /// Through the ends of sides that lie on the curve, and points of it beside sides: sides of two curves have ends beside
-  /// it, and hollow ones cross each other before they end. Where there are too few of them, through corners.
   [[nodiscard]] Spline2 splineOf(const Run& run, const Vec2& from, const Vec2& to) const {
-    std::vector<Passage> passages{{{from, directionAt(run, 0, run.corners.front())}, 0}};
-    const auto add = [&](std::size_t side, const FreePoint& end, std::size_t corner) {
-      if (!end.isOnCurve) return;
-      const Vec2 along = alongRun(run, side, end.normal);
-      const bool beforeEnd = side + 2 < run.sides.size() || (to - end.at).dot(along) > fitting_.rounding;
-      if (beforeEnd && (end.at - passages.back().point.at).dot(along) > fitting_.rounding)
-        passages.push_back({{end.at, along}, corner});
-    };
-    for (std::size_t i = 0; i < run.sides.size(); ++i) {
-      const FreeSide& side = run.sides[i];
-      const bool forward = (side.to.at - side.from.at).dot(run.corners[i + 1] - run.corners[i]) > 0;
-      if (i > 0) add(i, forward ? side.from : side.to, i);
-      if (side.between && isPassed(run, i, side.between->at)) add(i, *side.between, i);
-      if (i + 1 < run.sides.size()) add(i, forward ? side.to : side.from, i + 1);
-    }
-    const std::size_t last = run.sides.size();
-    passages.push_back({{to, directionAt(run, last - 1, run.corners.back())}, last});
-    std::vector<DirectedPoint> points{passages.front().point};
-    for (std::size_t k = 1; k < passages.size(); ++k) {
-      addCornersBetween(run, passages[k - 1], passages[k], points);
-      points.push_back(passages[k].point);
-    }
-    return splineThrough(points, fitting_.gap / 16);
-  }
-
-  /// Whether a point lies beside what is left of side i.
-  static bool isPassed(const Run& run, std::size_t i, const Vec2& p) {
-    const Vec2 along = run.corners[i + 1] - run.corners[i];
-    const double way = (p - run.corners[i]).dot(along);
-    return way > 0 && way < along.squaredNorm();
-  }
-
-  /// As many corners as keep the spline beside all of them.
-  void addCornersBetween(const Run& run, const Passage& from, const Passage& to, std::vector<DirectedPoint>& points) const {
-    if (to.corner < from.corner + 2) return;
-    const auto between = std::span(run.corners).subspan(from.corner + 1, to.corner - from.corner - 1);
-    if (keepsNear(from.point, to.point, between, fitting_.gap / 4)) return;
-    const std::size_t middle = (from.corner + to.corner) / 2;
-    const Vec2& corner = run.corners[middle];
-    const Vec2 along = (directionAt(run, middle - 1, corner) + directionAt(run, middle, corner)).normalized();
-    const Passage there{{corner, along}, middle};
-    addCornersBetween(run, from, there, points);
-    points.push_back(there.point);
-    addCornersBetween(run, there, to, points);
-  }
-
-  /// Along side i, where the normal has an angle.
-  static Vec2 alongRun(const Run& run, std::size_t i, double normal) {
-    const Vec2 along(-std::sin(normal), std::cos(normal));
-    return along.dot(run.corners[i + 1] - run.corners[i]) < 0 ? Vec2(-along) : along;
-  }
-
-  /// In a point of side i, whose normal turns evenly.
-  static Vec2 directionAt(const Run& run, std::size_t i, const Vec2& p) {
-    const auto& [from, to] = std::pair{run.sides[i].from, run.sides[i].to};
-    const Vec2 along = to.at - from.at;
-    const double share = std::clamp((p - from.at).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return alongRun(run, i, from.normal + share * turnFrom(from.normal, to.normal));
+    return splineAlong({run.corners, run.sides}, from, to, fitting_.rounding, fitting_.gap);
   }
 
   const Grid& grid_;

@@ -33,14 +33,27 @@ Vec2 derivativeAt(const Cubic& c, double t) {
 double distanceFrom(const Cubic& cubic, const Vec2& p) {
   const Vec2 chord = cubic[3] - cubic[0];
   double t = std::clamp((p - cubic[0]).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+  constexpr double enough = 1e-7;  // of the parameter: the distance is known far better
   for (int i = 0; i < 6; ++i) {
     const Vec2 derivative = derivativeAt(cubic, t);
-    t = std::clamp(t + (p - pointAt(cubic, t)).dot(derivative) / std::max(derivative.squaredNorm(), 1e-300), 0.0, 1.0);
+    const double before = t, step = (p - pointAt(cubic, t)).dot(derivative) / std::max(derivative.squaredNorm(), 1e-300);
+    t = std::clamp(t + step, 0.0, 1.0);
+    if (std::abs(t - before) < enough) break;
   }
   return (p - pointAt(cubic, t)).norm();
 }
 
-/// Whether one cubic may stand for all points.
+/// Whether a cubic passes the piece between two points, which has no point of its own where it is long.
+bool passesBetween(const Cubic& cubic, const DirectedPoint& from, const DirectedPoint& to, double tolerance) {
+  constexpr double isLong = 1.0 / 16;  // of the cubic
+  if ((to.at - from.at).norm() < isLong * (cubic[3] - cubic[0]).norm()) return true;
+  const Cubic piece = cubicBetween(from, to);
+  constexpr std::array places{0.25, 0.5, 0.75};
+  return std::all_of(places.begin(), places.end(),
+                     [&](double t) { return distanceFrom(cubic, pointAt(piece, t)) <= tolerance; });
+}
+
+/// Whether one cubic may stand for all points and for the pieces between them.
 bool passes(std::span<const DirectedPoint> points, double tolerance) {
   constexpr double widest = 1.2;  // radians
   double turn = 0;
@@ -49,8 +62,11 @@ bool passes(std::span<const DirectedPoint> points, double tolerance) {
     if (turn > widest) return false;
   }
   const Cubic cubic = cubicBetween(points.front(), points.back());
-  return std::all_of(points.begin() + 1, points.end() - 1,
-                     [&](const DirectedPoint& p) { return distanceFrom(cubic, p.at) <= tolerance; });
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (i + 1 < points.size() && distanceFrom(cubic, points[i].at) > tolerance) return false;
+    if (!passesBetween(cubic, points[i - 1], points[i], tolerance)) return false;
+  }
+  return true;
 }
 
 /// The farthest point that is reached with one cubic, by doubling and halving the step.

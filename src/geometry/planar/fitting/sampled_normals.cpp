@@ -22,7 +22,8 @@ class NormalList {
   }
   void addSplines(const SoundRegion& shape, double share) {
     forEach<Spline2>(shape.region, [&](const Spline2& spline) {
-      for (const CurveSample& sample : samplesOf(spline, share * shape.tolerance, {})) add(sample.normal);
+      for (const auto& part : samplesOf(spline, share * shape.tolerance, {}))
+        for (const CurveSample& sample : part) add(sample.normal);
     });
   }
   void addLines(const Region& region) {

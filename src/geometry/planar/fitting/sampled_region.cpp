@@ -121,10 +121,13 @@ class RegionSampler {
   }
 
   void addBack(const Spline2& spline) {
-    std::vector<CurveSample> samples = samplesOf(spline, tolerance_, normals_);
-    std::reverse(samples.begin(), samples.end());
-    for (CurveSample& sample : samples) sample.normal = inOneTurn(sample.normal + std::numbers::pi);
-    addSamples(samples);
+    std::vector<std::vector<CurveSample>> parts = samplesOf(spline, tolerance_, normals_);
+    std::reverse(parts.begin(), parts.end());
+    for (std::vector<CurveSample>& samples : parts) {
+      std::reverse(samples.begin(), samples.end());
+      for (CurveSample& sample : samples) sample.normal = inOneTurn(sample.normal + std::numbers::pi);
+      addSamples(samples);
+    }
   }
 
   void add(const Path& path) {
@@ -156,10 +159,11 @@ class RegionSampler {
     if (arc.sweep > 0) ends_.emplace_back(out_.corners.size() - 1, normalAt(arc, angles.back()));
   }
 
-  void addSides(const Spline2& spline) { addSamples(samplesOf(spline, tolerance_, normals_)); }
+  void addSides(const Spline2& spline) {
+    for (const std::vector<CurveSample>& part : samplesOf(spline, tolerance_, normals_)) addSamples(part);
+  }
 
   void addSamples(const std::vector<CurveSample>& samples) {
-    if (samples.size() < 2) return;
     out_.curves.push_back({true});
     const auto turnsLeft = [&](std::size_t i) { return turnFrom(samples[i].normal, samples[i + 1].normal) > 0; };
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {

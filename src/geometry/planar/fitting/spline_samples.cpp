@@ -51,10 +51,11 @@ class PieceSampler {
   PieceSampler(const BezierPiece& piece, double tolerance, const std::vector<double>& normals)
       : piece_(piece), size_(sizeOf(piece)), tolerance_(tolerance), normals_(normals) {}
 
+  [[nodiscard]] bool hasExtent() const { return size_ > 0; }
+
   /// Adds the samples after the start. An inflection is one, for along a chord across it the normal turns there and back.
   void run(std::vector<CurveSample>& out) const {
     constexpr int deepest = 20;
-    if (!(size_ > 0)) return;
     std::vector<double> ends = inflectionsOf(piece_);
     ends.push_back(1);
     double from = 0;
@@ -88,16 +89,24 @@ class PieceSampler {
     halve(middle, to, between, last, depth - 1, out);
   }
 
+  /// Within the tolerance beside the chord and, as what is made of it takes it for one, beside an arc that turns as much.
   [[nodiscard]] bool isFlat(double from, double to, const CurveSample& first, const CurveSample& last) const {
     constexpr double littleTurn = 0.4;  // radians
-    if (std::abs(turnFrom(first.normal, last.normal)) > littleTurn) return false;
+    const double turn = turnFrom(first.normal, last.normal);
+    if (std::abs(turn) > littleTurn) return false;
     const Vec2 chord = last.at - first.at;
     const double reach = chord.norm();
     for (const double share : {0.25, 0.5, 0.75}) {
       const CurveSample between = sampleAt(from + share * (to - from));
+      if (std::abs(turnFrom(first.normal, between.normal)) > littleTurn) return false;
       const Vec2 offset = between.at - first.at;
-      const double aside = reach > 0 ? std::abs(cross(chord, offset)) / reach : offset.norm();
-      if (aside > tolerance_ || std::abs(turnFrom(first.normal, between.normal)) > littleTurn) return false;
+      if (!(reach > 0)) {
+        if (offset.norm() > tolerance_) return false;
+        continue;
+      }
+      const double outwards = -cross(chord, offset) / reach, along = chord.dot(offset) / (reach * reach);
+      const double ofArc = reach * turn / 2 * along * (1 - along);
+      if (std::abs(outwards) > tolerance_ || std::abs(outwards - ofArc) > tolerance_) return false;
     }
     return true;
   }
@@ -135,16 +144,44 @@ class PieceSampler {
   const std::vector<double>& normals_;
 };
 
+/// Whether a curve bends between two parts that meet, so that one smooth curve would leave them by more than the tolerance:
+/// files with few digits bend smooth curves by less.
+bool bends(const std::vector<CurveSample>& part, const std::vector<CurveSample>& next, double tolerance) {
+  constexpr double much = 0.1;  // radians
+  const double turn = std::abs(turnFrom(part.back().normal, next.front().normal));
+  const double longest = std::max((part.back().at - part.end()[-2].at).norm(), (next[1].at - next.front().at).norm());
+  return turn > much || turn * longest > tolerance;
+}
+
+/// A closed curve with a kink where it begins would go on there, were it one.
+void cutAtSeam(std::vector<std::vector<CurveSample>>& parts, double tolerance) {
+  if (parts.size() != 1) return;
+  std::vector<CurveSample>& whole = parts.front();
+  if (whole.size() < 3) return;  // a short curve, not a closed one
+  if ((whole.back().at - whole.front().at).norm() > tolerance || !bends(whole, whole, tolerance)) return;
+  const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2);
+  std::vector<CurveSample> rest(middle, whole.end());
+  whole.erase(middle + 1, whole.end());
+  parts.push_back(std::move(rest));
+}
+
 }  // namespace
 
-std::vector<CurveSample> samplesOf(const Spline2& spline, double tolerance, const std::vector<double>& normals) {
-  std::vector<CurveSample> samples;
+std::vector<std::vector<CurveSample>> samplesOf(const Spline2& spline, double tolerance,
+                                                const std::vector<double>& normals) {
+  std::vector<std::vector<CurveSample>> parts;
   for (const BezierPiece& piece : bezierPieces(spline)) {
     const PieceSampler sampler(piece, tolerance, normals);
-    if (samples.empty()) samples.push_back(sampler.sampleAt(0));
-    sampler.run(samples);
+    if (!sampler.hasExtent()) continue;
+    std::vector<CurveSample> next{sampler.sampleAt(0)};
+    sampler.run(next);
+    if (parts.empty() || bends(parts.back(), next, tolerance))
+      parts.push_back(std::move(next));
+    else
+      parts.back().insert(parts.back().end(), next.begin() + 1, next.end());
   }
-  return samples;
+  cutAtSeam(parts, tolerance);
+  return parts;
 }
 
 }  // namespace blossom::planar

@@ -11,8 +11,9 @@ struct CurveSample {
   double normal = 0;
 };
 
-/// Points of a spline from its start to its end: its inflections, chords within the tolerance that turn little, and all
-/// points with one of the normals (0 to 2 pi, sorted) that lie within a chord. O(n log n).
-std::vector<CurveSample> samplesOf(const Spline2&, double tolerance, const std::vector<double>& normals);
+/// Points of each part of a spline from its start to its end, between its kinks: its inflections, chords
+/// within the tolerance beside which it runs about as an arc, and all points with one of the normals (0 to 2 pi, sorted)
+/// that lie within a chord. A closed spline with a kink at its ends has two parts at least. O(n log n).
+std::vector<std::vector<CurveSample>> samplesOf(const Spline2&, double tolerance, const std::vector<double>& normals);
 
 }  // namespace blossom::planar

@@ -213,13 +213,15 @@ class HullBuilder {
     for (const Vec2& end : {startPoint(arc), endPoint(arc)}) points_.push_back({end});
   }
   void addPoints(const Spline2& spline) {
-    const std::vector<CurveSample> samples = samplesOf(spline, tolerance_, {});
+    for (const std::vector<CurveSample>& part : samplesOf(spline, tolerance_, {})) addPoints(part);
+  }
+  void addPoints(const std::vector<CurveSample>& samples) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto number = static_cast<std::uint32_t>(normals_.size());
       normals_.push_back(samples[i].normal);
       points_.push_back({samples[i].at, i > 0 ? number : nowhere, i + 1 < samples.size() ? number : nowhere});
     }
-    normals_.push_back(0);  // no sample of one spline follows the last one of another
+    normals_.push_back(0);  // no sample of one part follows the last one of another
   }
 
   [[nodiscard]] static double widthOf(const Support& support, std::size_t i) {
@@ -251,6 +253,12 @@ class HullBuilder {
     return {point.at, Vec2(-std::sin(normal), std::cos(normal))};
   }
 
+  /// Whether a spline that arrives in a point goes on in another direction.
+  static bool bends(const DirectedPoint& arriving, const DirectedPoint& leaving) {
+    constexpr double kink = 1e-3;  // radians
+    return std::abs(cross(arriving.along, leaving.along)) > kink || arriving.along.dot(leaving.along) < 0;
+  }
+
   [[nodiscard]] Path pathOf(const Support& support) const {
     const std::size_t n = support.size();
     Path path;
@@ -273,7 +281,10 @@ class HullBuilder {
       if (each.radius > 0)
         path.segments.emplace_back(Arc2{each.centre, each.radius, each.from, widthOf(support, (first + k) % n)});
       if (isFree(each, next)) {
-        if (run.empty()) run.push_back(directed(each, true));
+        if (const DirectedPoint start = directed(each, true); run.empty() || bends(run.back(), start)) {
+          endRun();
+          run.push_back(start);
+        }
         run.push_back(directed(next, false));
         continue;
       }

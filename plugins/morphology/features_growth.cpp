@@ -29,7 +29,8 @@ GrowOptions optionsOf(const GrowParameters& p, const Inputs& inputs, const std::
   options.fit = p.fit;
   options.rounding = p.rounding;
   options.untilNothing = p.until == Until::Nothing;
-  if (!inputs.of(1).empty()) options.element = operandOf(inputs.of(1)[0], {p.deviation, "The element", false}, progress);
+  if (!inputs.of(1).empty())
+    options.element = operandOf(inputs.of(1)[0], {p.deviation, "The element", false}, progress.part(0.05, 0.1));
   const double whole = options.untilNothing ? 1 : options.element ? p.size : p.radius;
   options.sizes = times.empty() ? std::vector<double>{1} : controlled(p.control, p.curve, times);
   for (double& size : options.sizes) size *= whole;
@@ -51,10 +52,10 @@ void warnOfUnused(const GrowParameters& p, bool byElement, Evaluated& out) {
 }
 
 Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
+  const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress.part(0, 0.05));
   const std::vector<double> times = frameTimes(p.frames);
   const GrowOptions options = optionsOf(p, inputs, times, progress);
-  MorphologyResult made = operation(solid, options, progress);
+  MorphologyResult made = operation(solid, options, progress.part(0.1, 1));
   const double largest = made.stats.largestSize;
   Evaluated out = evaluatedFrom(std::move(made), times);
   warnOfUnused(p, options.element.has_value(), out);

@@ -51,13 +51,16 @@ std::string nameOf(std::size_t solid) {
 
 std::vector<Operand> solidsOf(const Inputs& inputs, double deviation, const Progress& progress) {
   std::vector<Operand> solids;
-  for (const Shape& shape : inputs.of(0))
-    solids.push_back(operandOf(shape, {deviation, nameOf(solids.size()), true}, progress));
+  const double share = 1 / static_cast<double>(inputs.of(0).size());
+  for (const Shape& shape : inputs.of(0)) {
+    const double from = share * static_cast<double>(solids.size());
+    solids.push_back(operandOf(shape, {deviation, nameOf(solids.size()), true}, progress.part(from, from + share)));
+  }
   return solids;
 }
 
 Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
-  const std::vector<Operand> solids = solidsOf(inputs, p.deviation, progress);
+  const std::vector<Operand> solids = solidsOf(inputs, p.deviation, progress.part(0, 0.1));
   checkBlossom(p, solids.size());
   const std::vector<double> times = p.frames > 0 ? frameTimes(p.frames) : std::vector<double>{p.t};
   std::vector<std::vector<double>> weights;
@@ -65,9 +68,9 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
     weights.push_back(weightsAt(p.blossom.empty() ? std::vector<double>(solids.size() - 1, t) : p.blossom));
   const MorphOptions options{.volumePreserving = p.volumePreserving};
   if (p.preview > 0 && p.frames == 0)
-    return evaluatedFrom(previewOfSum(solids, weights.front(), p.preview, options, progress));
-  Evaluated out =
-      evaluatedFrom(solidMorph(solids, weights, options, progress), p.frames > 0 ? times : std::vector<double>());
+    return evaluatedFrom(previewOfSum(solids, weights.front(), p.preview, options, progress.part(0.1, 1)));
+  Evaluated out = evaluatedFrom(solidMorph(solids, weights, options, progress.part(0.1, 1)),
+                                p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = p.frames > 0 ? Value(weights) : Value(weights.front());
   return out;
 }

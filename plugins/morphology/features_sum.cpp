@@ -19,9 +19,9 @@ using PairOperation = std::function<MorphologyResult(const Operand&, const Opera
 
 Evaluated combined(const PairOperation& operation, bool solidFirst, const SumParameters& p, const Inputs& inputs,
                    const Progress& progress) {
-  const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first shape", solidFirst}, progress);
-  const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second shape", false}, progress);
-  return evaluatedFrom(operation(a, b, progress));
+  const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first shape", solidFirst}, progress.part(0, 0.05));
+  const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second shape", false}, progress.part(0.05, 0.1));
+  return evaluatedFrom(operation(a, b, progress.part(0.1, 1)));
 }
 
 enum class ShownFacets { None, Families, Outlines };
@@ -174,12 +174,12 @@ struct RoundParameters {
 };
 
 Evaluated rounded(const RoundParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
+  const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress.part(0, 0.1));
   BallResult made = ball({p.radius, p.subdivisions});
   Operand element;
   element.name = "The ball";
   element.mesh = std::move(made.mesh);
-  Evaluated out = evaluatedFrom(solidRounded(solid, element, p.edges, progress));
+  Evaluated out = evaluatedFrom(solidRounded(solid, element, p.edges, progress.part(0.1, 1)));
   out.stats["ball_deviation"] = made.deviation;
   return out;
 }

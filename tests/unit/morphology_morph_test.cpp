@@ -1,3 +1,5 @@
+#include <set>
+
 #include "morphology/kernel/control.h"
 #include "support/morphology.h"
 #include "support/support.h"
@@ -98,6 +100,20 @@ class MorphologyMorphTest : public QObject {
           const Vec3 middle = (1 - t) * boundsOf(a).center() + t * boundsOf(b).center();
           QVERIFY((boundsOf(made).center() - middle).norm() < 1e-9);
         }
+  }
+
+  void progressCountsTheFrames() {
+    const std::vector<Operand> solids{bodyOf(lBlock()), bodyOf(cornerTetrahedron())};
+    double before = 0;
+    std::set<std::string> frames;
+    const Progress progress({}, [&](double fraction, const std::string& stage) {
+      QVERIFY(fraction >= before);
+      before = fraction;
+      frames.insert(stage.substr(0, stage.find(',')));
+    });
+    solidMorph(solids, {{0.75, 0.25}, {0.5, 0.5}, {0.25, 0.75}}, {}, progress);
+    QCOMPARE(before, 1.0);
+    for (const char* frame : {"frame 1 of 3", "frame 2 of 3", "frame 3 of 3"}) QVERIFY2(frames.contains(frame), frame);
   }
 
   void controlFunctions() {

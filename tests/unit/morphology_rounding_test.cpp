@@ -1,4 +1,6 @@
 #include "geometry/mesh/mesh_crossing.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "morphology/kernel/collapsed.h"
 #include "morphology/kernel/finished.h"
 #include "support/morphology.h"
 #include "support/solid_peer.h"
@@ -30,6 +32,27 @@ Mesh dentedCube(double depth) {
 /// A block with a slot of this width from above.
 Mesh slotted(double width) {
   return prism({{-2, 0}, {2, 0}, {2, 3}, {width / 2, 3}, {width / 2, 1}, {-width / 2, 1}, {-width / 2, 3}, {-2, 3}}, 0, 1);
+}
+
+/// Nothing where that is refused.
+std::optional<Finished> finishedOrRefused(const Mesh& triangles) {
+  try {
+    return finished(triangles, Vec3::Zero(), Slivers::Go, Progress::none());
+  } catch (const CannotBeRounded&) {
+    return std::nullopt;
+  }
+}
+
+/// Volumes of the shells, below 0 for those that look inwards.
+std::vector<double> shellVolumes(const Mesh& polygons) {
+  const Mesh mesh = triangulated(polygons).first;
+  const MeshTopology topology = meshTopology(mesh);
+  std::vector<double> volumes(topology.components.size());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(mesh.face(f)[k])]; };
+    volumes[static_cast<std::size_t>(topology.componentOfFace[f])] += at(0).dot(at(1).cross(at(2))) / 6;
+  }
+  return volumes;
 }
 
 }  // namespace
@@ -65,13 +88,97 @@ class MorphologyRoundingTest : public QObject {
   // Where the corners cannot hold a detail, it is closed, and said; what cannot be closed is refused.
   void whatRoundingMakesCrossIsSnapped() {
     const Mesh triangles = triangulated(slotted(1e-9)).first;
-    QCOMPARE(finished(triangles, Vec3::Zero(), Slivers::Go, Progress::none()).warning, std::string());
+    QCOMPARE(finished(triangles, Vec3::Zero(), Slivers::Go, Progress::none()).loss.sentences(), std::string());
     const Vec3 far(1e8, 1e8, 0);  // doubles lie 1.5e-8 apart here
     const Finished snapped = finished(triangles, far, Slivers::Go, Progress::none());
     QVERIFY(!firstCrossing(snapped.mesh));
     COMPARE_NEAR(volumeOf(movedBy(snapped.mesh, -far)), 12, 1e-6);
-    QVERIFY(snapped.warning.starts_with("Corners have been moved by up to "));
+    QVERIFY(snapped.loss.sentences().starts_with("Corners have been moved by up to "));
     VERIFY_ERROR(finished(scaledBy(triangles, 1e-9), far, Slivers::Go, Progress::none()), ErrorCode::Degenerate);
+  }
+
+  // Far from the origin, doubles turn thin plates inside out: those are gone, and said.
+  void whatRoundingMayTurnIsLeftOut() {
+    std::mt19937_64 random = seededRandom();
+    const Vec3 far(1e8, -1e8, 1e8);  // doubles lie 1.5e-8 apart here
+    int leftOut = 0, kept = 0;
+    for (int run = 0; run < 60; ++run) {
+      const double thickness = std::pow(10, std::uniform_real_distribution<double>(-10, -6)(random));
+      const Mesh plate = movedBy(turnedBy(cuboid({0, 0, 0}, {1, 1, thickness}), randomTurn(random)), {3, 0, 0});
+      const Mesh both = triangulated(together(cuboid({0, 0, 0}, {1, 1, 1}), plate)).first;
+      const Finished made = finished(both, far, run % 2 == 0 ? Slivers::Go : Slivers::Stay, Progress::none());
+      const std::vector<double> volumes = shellVolumes(movedBy(made.mesh, -far));
+      QVERIFY(std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume > 0; }));
+      const bool isSaid = made.loss.sentences().find("1 body or void thinner than ") != std::string::npos;
+      QCOMPARE(volumes.size(), std::size_t{isSaid ? 1U : 2U});
+      QVERIFY(!liesOnItself(made.mesh));
+      if (thickness > 2e-7) QVERIFY(!isSaid);
+      ++(isSaid ? leftOut : kept);
+    }
+    QVERIFY(leftOut > 5 && kept > 5);
+  }
+
+  // Bodies with walls on each other but for rounding are made one on coarser grids. A plate beside them is thinner than such
+  // a grid, or not: it never stays as sheets back to back, nor inside out.
+  void noGridTurnsAPlate() {
+    std::mt19937_64 random = seededRandom();
+    for (int run = 0; run < 40; ++run) {
+      const double thickness = std::pow(10, std::uniform_real_distribution<double>(-13, -8)(random));
+      const double apart = std::pow(10, std::uniform_real_distribution<double>(-16, -9)(random)) * (run % 2 == 0 ? 1 : -1);
+      const double along = std::uniform_real_distribution<double>(-0.5, 0.5)(random);
+      const Mesh blocks = together(cuboid({0, 0, 0}, {1, 1, 1}), cuboid({along, 0.1, 1 + apart}, {1 + along, 0.8, 2}));
+      const Mesh plate = movedBy(turnedBy(cuboid({0, 0, 0}, {1, 1, thickness}), randomTurn(random)), {4, 0, 0});
+      const Mesh all = triangulated(turnedBy(together(blocks, plate), randomTurn(random))).first;
+      const std::optional<Finished> made = finishedOrRefused(all);
+      if (!made) continue;
+      const std::vector<double> volumes = shellVolumes(made->mesh);
+      QVERIFY(std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume > 0; }));
+      QVERIFY(!liesOnItself(made->mesh));
+      QVERIFY(!firstCrossing(made->mesh));
+      COMPARE_NEAR(volumeOf(made->mesh), 1.7, 1e-7);
+    }
+  }
+
+  // Closings and openings leave sheets that lie on each other but for rounding, beside which thin bodies, gaps, slots and
+  // fins are as thin as what these are made of. Nothing flat, turned or crossing remains.
+  void thinDetailsNeverTurn() {
+    std::mt19937_64 random = seededRandom();
+    const auto bumpy = [&](Mesh ball, double share) {
+      std::uniform_real_distribution<double> factor(1 - share, 1 + share);
+      for (Vec3& p : ball.points) p *= factor(random);
+      return triangulated(ball).first;
+    };
+    for (int run = 0; run < 8; ++run) {
+      const double thin = std::pow(10, std::uniform_real_distribution<double>(-12, -8)(random)), half = thin / 2;
+      const std::vector<Mesh> details{
+          cuboid({0, 0, 0}, {1, 1, thin}), together(cuboid({0, 0, 0}, {2, 2, 1}), cuboid({0, 0, 1 + thin}, {2, 2, 2})),
+          slotted(thin), prism({{-2, 0}, {2, 0}, {2, 1}, {half, 1}, {half, 3}, {-half, 3}, {-half, 1}, {-2, 1}}, 0, 1)};
+      const Mesh detail = turnedBy(details[static_cast<std::size_t>(run) % details.size()], randomTurn(random));
+      const Mesh solid = triangulated(together(bumpy(ballOf(3, 2), 0.1), movedBy(detail, {8, 0, 0}))).first;
+      const Mesh element = bumpy(ballOf(0.7, 1), 0.2);
+      for (const Mesh& made : {closingOf(solid, element), openingOf(solid, element)}) {
+        const std::vector<double> volumes = shellVolumes(made);
+        QVERIFY2(std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume > 0; }),
+                 qPrintable(QString::number(thin)));
+        QVERIFY(!liesOnItself(made));
+        QVERIFY(!firstCrossing(made));
+      }
+    }
+  }
+
+  // A plate of two triangles and a polygon with another corner lie on each other.
+  void sheetsOnEachOtherAreFound() {
+    Mesh sheets;
+    sheets.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    sheets.addFace(std::array{0, 1, 2, 3});
+    sheets.addFace(std::array{2, 1, 0});
+    sheets.addFace(std::array{0, 3, 2});
+    QVERIFY(meshTopology(sheets).closed());
+    QVERIFY(liesOnItself(sheets));
+    QCOMPARE(collapsed(triangulated(sheets).first).faceCount(), std::size_t{0});
+    QVERIFY(!liesOnItself(cuboid({0, 0, 0}, {1, 1, 1})));
+    QVERIFY(!liesOnItself(together(cuboid({0, 0, 0}, {1, 1, 1}), cuboid({1, 0.5, 0}, {2, 2, 1}))));
+    QVERIFY(liesOnItself(together(cuboid({0, 0, 0}, {1, 1, 1}), cuboid({1, 0, 0}, {2, 1, 1}))));
   }
 
   void theSameSolidGivesTheSameMesh() {

@@ -91,6 +91,24 @@ class MorphologySeparatedTest : public QObject {
     QCOMPARE(volumeOf(*made), volumeOf(solid));
   }
 
+  /// From a corner on one side of a strip thin triangles go to near corners on the other side. What is made of it has its
+  /// volume; before such triangles were let be, none of these strips came to an end.
+  void narrowStripsKeepTheirVolume() {
+    constexpr double least = 1e-11, width = 50 * least;
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> along(0.1, 0.99), step(1e-4, 1e-3);
+    int made = 0;
+    for (int run = 0; run < 50; ++run) {
+      const double x = along(random);
+      const std::vector<Vec2> outline{{0, 0}, {1, 0}, {1, width}, {x, width}, {x - step(random), width}, {0, width}};
+      const auto strip = separated(triangulated(turnedBy(prism(outline, 0, 1), randomTurn(random))).first, least);
+      if (!strip) continue;
+      ++made;
+      COMPARE_NEAR(volumeOf(*strip), width, 2 * least);
+    }
+    QVERIFY(made >= 3);
+  }
+
   /// Details as small as the distance leave nothing.
   void whatIsThinnerGoes() {
     const auto made = separated(triangulated(cuboid({0, 0, 0}, {1, 1, 1e-12})).first, 1e-10);

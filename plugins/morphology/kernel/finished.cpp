@@ -12,6 +12,7 @@
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/collapsed.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
@@ -29,60 +30,6 @@ namespace {
 Mesh movedFrom(Mesh mesh, const Vec3& centre) {
   for (Vec3& p : mesh.points) p += centre;
   return mesh;
-}
-
-/// Without corners that repeat the one before, and without ways there and back again.
-std::vector<int> withoutSpikes(std::vector<int> face) {
-  for (std::size_t k = 0; k < face.size() && face.size() > 2;) {
-    const std::size_t n = face.size(), next = (k + 1) % n, after = (k + 2) % n;
-    if (face[k] == face[next]) {
-      face.erase(face.begin() + static_cast<std::ptrdiff_t>(next));
-      k = 0;
-    } else if (face[k] == face[after]) {
-      face.erase(face.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
-      face.erase(face.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
-      k = 0;
-    } else {
-      ++k;
-    }
-  }
-  return face;
-}
-
-std::vector<int> fromLowestNumber(std::vector<int> face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
-
-/// Faces over shared points: equal places are one vertex, and faces that have lost their area that way are gone, as are two
-/// that lie on each other back to back.
-Mesh collapsed(const Mesh& mesh) {
-  Mesh shared;
-  std::map<std::array<double, 3>, int> numbers;
-  std::vector<int> number;
-  for (const Vec3& p : mesh.points) {
-    const auto [at, fresh] =
-        numbers.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<int>(shared.points.size()));
-    if (fresh) shared.points.push_back(p);
-    number.push_back(at->second);
-  }
-  std::map<std::vector<int>, int> balance;  // how often a face turns one way more than the other
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    std::vector<int> face;
-    for (const int v : mesh.face(f)) face.push_back(number[static_cast<std::size_t>(v)]);
-    face = withoutSpikes(std::move(face));
-    if (face.size() < 3) continue;
-    std::vector<int> one = fromLowestNumber(face), other = fromLowestNumber({face.rbegin(), face.rend()});
-    if (one <= other)
-      ++balance[std::move(one)];
-    else
-      --balance[std::move(other)];
-  }
-  for (const auto& [face, times] : balance) {
-    for (int k = 0; k < times; ++k) shared.addFace(face);
-    for (int k = 0; k < -times; ++k) shared.addFace(std::vector<int>(face.rbegin(), face.rend()));
-  }
-  return shared;
 }
 
 /// Corners that follow each other have places of their own.
@@ -128,15 +75,15 @@ class Attempts {
     if (mesh.faceCount() == 0) return std::nullopt;
     Mesh there = movedFrom(mesh, centre_);
     if (!everyEdgeHasLength(there)) return std::nullopt;
-    bool isClosed = false, isTwisted = false;
+    bool isClosed = false, isSound = false;
     sideBySide(
         progress_, [&] { crossing_ = firstCrossing(there, progress_); },
         [&] {
           isClosed = meshTopology(mesh).closed();
-          isTwisted = isClosed && firstTwistedEdge(there, progress_);
+          isSound = isClosed && !firstTwistedEdge(there, progress_) && !liesOnItself(there, progress_);
         });
     if (!isClosed) crossing_.reset();
-    if (!isClosed || crossing_ || isTwisted) return std::nullopt;
+    if (crossing_ || !isSound) return std::nullopt;
     return there;
   }
 
@@ -166,18 +113,71 @@ class Attempts {
 Mesh snappedTo(Mesh mesh, const Vec3& centre, double step, const Progress& progress) {
   for (Vec3& p : mesh.points)
     for (int k = 0; k < 3; ++k) p[k] = step * std::nearbyint((p[k] + centre[k]) / step) - centre[k];
-  return manifoldOf(collapsed(mesh), progress);
+  return manifoldOf(collapsed(mesh, progress), progress);
 }
 
-/// Triangles, those without area flipped or collapsed; nothing when that is impossible.
+/// Triangles, those without area flipped or collapsed, and none that lie on each other back to back; nothing when that is
+/// impossible.
 std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
   if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
   try {
-    return inOrder(manifoldOf(withoutDegenerate(triangulated(mesh, progress).first, {"The result"}), progress));
+    Mesh triangles = triangulated(mesh, progress).first;
+    if (liesOnItself(triangles, progress)) triangles = manifoldOf(collapsed(triangles, progress), progress);
+    return inOrder(manifoldOf(withoutDegenerate(triangles, {"The result"}), progress));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput) throw;
     return std::nullopt;
   }
+}
+
+/// A closed surface in two forms, which are one where no triangles are coplanar.
+struct Surface {
+  Mesh triangles, joined;
+  MeshTopology topology;    ///< of the triangles
+  double size = 0;          ///< of what it was at first
+  std::size_t leftOut = 0;  ///< shells that are no longer there
+
+  [[nodiscard]] std::size_t shells() const { return topology.components.size(); }
+};
+
+Surface surfaceOf(Mesh triangles, double size, const Progress& progress) {
+  Surface made;
+  made.triangles = std::move(triangles);
+  made.size = size;
+  sideBySide(
+      progress, [&] { made.topology = meshTopology(made.triangles); },
+      [&] { made.joined = joinedCoplanar(made.triangles, {.tolerance = joinedFacesFlatness * size}, progress); });
+  if (made.joined.faceCount() == made.triangles.faceCount())
+    made.joined = made.triangles;
+  else if (made.topology.closed())
+    made.joined = manifoldOf(made.joined, progress);
+  return made;
+}
+
+constexpr double fine = 64;  ///< parts of a thickness with which it is compared
+
+/// Without shells that are thinner, which rounding by half of that may turn inside out. Nothing may be left.
+Surface withoutThinShells(Surface surface, double thickness, const Progress& progress) {
+  const auto thicker = withoutSlivers(surface.triangles, surface.topology, thickness, thickness / fine, progress);
+  if (!thicker) return surface;
+  Surface made = surfaceOf(inOrder(*thicker), surface.size, progress);
+  made.leftOut = surface.leftOut + surface.shells() - made.shells();
+  return made;
+}
+
+/// Whether a surface of which no corner has moved farther encloses about the same.
+bool keepsVolume(const Surface& before, const Mesh& after, double moved) {
+  const double change = signedVolume(triangulated(after).first) - signedVolume(before.triangles);
+  const double roundOff = 1e-13 * before.size * before.size * before.size;
+  return std::abs(change) <= 2 * moved * area(before.triangles) + roundOff;
+}
+
+constexpr double leastThickness =
+    1e-12;  ///< of the size: thinner voids and bodies may come from rounding and be turned by it
+
+RoundingLoss lossOf(double moved, const Surface& surface, double thickness) {
+  if (surface.leftOut == 0 || thickness <= leastThickness * surface.size) return {moved, 0, 0};
+  return {moved, surface.leftOut, thickness};
 }
 
 /// Rounds a surface to coarser and coarser grids until one crosses nowhere.
@@ -189,22 +189,26 @@ class Rounding {
   struct Rounded {
     Mesh mesh;
     double step = 0;
+    RoundingLoss loss;
   };
-  /// @param forms the same surface, with polygons or triangles
   /// @param bits of the first grid after the finest one, and of the last one
-  [[nodiscard]] std::optional<Rounded> from(const std::vector<Mesh>& forms, int finest, int firstBits, int lastBits) {
-    for (int bits = firstBits; bits <= lastBits; bits += 2)
-      for (const Mesh& form : forms)
-        if (auto made = onGrid(form, std::ldexp(1, finest + bits))) return made;
+  [[nodiscard]] std::optional<Rounded> from(const Surface& surface, int finest, int firstBits, int lastBits) {
+    for (int bits = firstBits; bits <= lastBits; bits += 2) {
+      const double step = std::ldexp(1, finest + bits), thickness = 2 * step;
+      const Surface thick = withoutThinShells(surface, thickness, progress_);
+      auto made = onGrid(thick.joined, step);
+      if (!made && thick.joined.faceCount() < thick.triangles.faceCount()) made = onGrid(thick.triangles, step);
+      if (made && keepsVolume(thick, *made, step + joinedFacesFlatness * surface.size))
+        return Rounded{*std::move(made), step, lossOf(step, thick, thickness)};
+    }
     return std::nullopt;
   }
 
  private:
-  std::optional<Rounded> onGrid(const Mesh& form, double step) {
+  std::optional<Mesh> onGrid(const Mesh& form, double step) {
     const Mesh snapped = inOrder(snappedTo(form, centre_, step, progress_));
-    if (auto made = attempts_.withFewerPolygons(snapped)) return Rounded{*std::move(made), step};
-    if (const auto whole = mended(snapped, progress_))
-      if (auto made = attempts_.asIs(*whole)) return Rounded{*std::move(made), step};
+    if (auto made = attempts_.withFewerPolygons(snapped)) return made;
+    if (const auto whole = mended(snapped, progress_)) return attempts_.asIs(*whole);
     return std::nullopt;
   }
 
@@ -213,70 +217,60 @@ class Rounding {
   const Progress& progress_;
 };
 
-std::string movedBySentence(double step) {
-  return fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", step);
-}
-
 /// With what is nearly one made one; nothing when that does not help.
-std::optional<Finished> withNearOnesUnited(const Mesh& triangles, double size, Attempts& attempts,
-                                           const Progress& progress) {
+std::optional<Finished> withNearOnesUnited(const Surface& surface, Attempts& attempts, const Progress& progress) {
   for (const double share : {1e-11, 1e-10, 1e-9}) {
-    const double least = share * size;
-    const auto apart = separated(triangles, least, progress);
+    const double least = share * surface.size, moved = 2 * least, thickness = 2 * moved, flat = 8 * least;
+    const Surface thick = withoutThinShells(surface, thickness, progress);
+    const auto apart = separated(thick.triangles, least, progress);
     if (!apart || apart->faceCount() == 0) continue;
     const Mesh whole = inOrder(manifoldOf(*apart, progress));
     if (!meshTopology(whole).closed()) continue;
-    const Mesh joined = joinedCoplanar(whole, {.tolerance = 8 * least}, progress);
-    if (auto made = attempts.withFewerPolygons(manifoldOf(joined, progress)))
-      return Finished{inOrder(*made), movedBySentence(2 * least)};
-    if (auto made = attempts.asIs(whole)) return Finished{inOrder(*made), movedBySentence(2 * least)};
+    auto made = attempts.withFewerPolygons(manifoldOf(joinedCoplanar(whole, {.tolerance = flat}, progress), progress));
+    if (!made) made = attempts.asIs(whole);
+    if (made && keepsVolume(thick, *made, moved + flat)) return Finished{inOrder(*made), lossOf(moved, thick, thickness)};
   }
   return std::nullopt;
 }
 
 constexpr int fewBits = 4, mostBits = 24;  ///< by which grids are coarser than the finest one
-constexpr double leastThickness = 1e-12;   ///< of the size: thinner voids and bodies may be turned by rounding
 
 }  // namespace
+
+void RoundingLoss::add(const RoundingLoss& other) {
+  moved = std::max(moved, other.moved);
+  leftOut += other.leftOut;
+  thickness = std::max(thickness, other.thickness);
+}
+
+std::string RoundingLoss::sentences() const {
+  std::string all;
+  if (moved > 0)
+    all = fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", moved);
+  if (leftOut == 0) return all;
+  return all + fmt::format("{}{} thinner than {:.2g} mm {} been left out.", all.empty() ? "" : " ",
+                           leftOut == 1 ? "1 body or void" : fmt::format("{} bodies or voids", leftOut), thickness,
+                           leftOut == 1 ? "has" : "have");
+}
 
 CannotBeRounded::CannotBeRounded(const std::string& message)
     : Error(ErrorCode::Degenerate, message,
             "Make one shape a little larger or smaller where one just fits the other, or leave out details too small for "
             "their size.") {}
 
-Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const Progress& progress) {
-  progress.report(0, "Joining faces");
-  const Mesh triangles = inOrder(manifoldOf(soup, progress));
-  const double size = bounds(triangles).diagonal();
-  bool isClosed = false;
-  std::size_t shells = 0;
-  Mesh joined;
-  sideBySide(
-      progress,
-      [&] {
-        const MeshTopology topology = meshTopology(triangles);
-        isClosed = topology.closed();
-        shells = topology.components.size();
-      },
-      [&] { joined = joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress); });
-  if (!isClosed) throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
-  if (slivers == Slivers::Go && shells > 1) {
-    const Mesh thicker = withoutSlivers(triangles, leastThickness * size, progress);
-    const bool isLess = thicker.faceCount() > 0 && thicker.faceCount() < triangles.faceCount();
-    if (isLess) return finished(thicker, centre, Slivers::Stay, progress);
-  }
-  joined = joined.faceCount() == triangles.faceCount() ? triangles : manifoldOf(joined, progress);
+namespace {
+
+/// As exact as is possible. @param finest exponent of the finest grid
+Finished roundedSomehow(const Surface& surface, const Vec3& centre, int finest, const Progress& progress) {
+  const RoundingLoss none = lossOf(0, surface, std::ldexp(2, finest));
   Attempts attempts(centre, progress);
-  if (auto made = attempts.withFewerPolygons(joined)) return {inOrder(*made), {}};
+  if (auto made = attempts.withFewerPolygons(surface.joined)) return {inOrder(*made), none};
   std::optional<MeshCrossing> crossing = attempts.crossing();
-  if (auto made = attempts.asIs(triangles)) return {inOrder(*made), {}};
-  const int finest = std::ilogb(std::max(size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
+  if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), none};
   Rounding rounding(centre, attempts, progress);
-  if (auto made = rounding.from({joined, triangles}, finest, 0, fewBits))
-    return {inOrder(made->mesh), movedBySentence(made->step)};
-  if (auto made = withNearOnesUnited(triangles, size, attempts, progress)) return *std::move(made);
-  if (auto made = rounding.from({joined, triangles}, finest, fewBits + 2, mostBits))
-    return {inOrder(made->mesh), movedBySentence(made->step)};
+  if (auto made = rounding.from(surface, finest, 0, fewBits)) return {inOrder(made->mesh), made->loss};
+  if (auto made = withNearOnesUnited(surface, attempts, progress)) return *std::move(made);
+  if (auto made = rounding.from(surface, finest, fewBits + 2, mostBits)) return {inOrder(made->mesh), made->loss};
   if (attempts.crossing()) crossing = attempts.crossing();
   throw CannotBeRounded(
       crossing ? fmt::format("With corners rounded to numbers of 16 digits the result crosses itself near {}.",
@@ -285,10 +279,49 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
                              Subject{}.place(centre)));
 }
 
+/// What rounding has cut off, or turned, at places that were thinner than the rest of a shell goes, too. One shell stays.
+Finished withoutThinRemains(Finished made, double thickness, double toldFrom, const Progress& progress) {
+  // A polygon may hang together in corners only: its triangles know.
+  const Mesh triangles = triangulated(made.mesh, progress).first;
+  const MeshTopology ofTriangles = meshTopology(triangles, progress);
+  if (ofTriangles.components.size() < 2) return made;
+  const MeshTopology ofPolygons = meshTopology(made.mesh, progress);
+  const bool isAlike = ofPolygons.components.size() == ofTriangles.components.size();
+  const auto thicker = isAlike ? withoutSlivers(made.mesh, ofPolygons, thickness, thickness / fine, progress)
+                               : withoutSlivers(triangles, ofTriangles, thickness, thickness / fine, progress);
+  if (!thicker || thicker->faceCount() == 0) return made;
+  if (thickness > toldFrom) {
+    const std::size_t left = meshTopology(*thicker, progress).components.size();
+    made.loss.add({0, ofTriangles.components.size() - left, thickness});
+  }
+  made.mesh = inOrder(*thicker);
+  return made;
+}
+
+}  // namespace
+
+Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const Progress& progress) {
+  progress.report(0, "Joining faces");
+  const Mesh triangles = inOrder(manifoldOf(soup, progress));
+  Surface surface = surfaceOf(triangles, bounds(triangles).diagonal(), progress);
+  if (!surface.topology.closed())
+    throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
+  const double ofRounding = leastThickness * surface.size, unwanted = slivers == Slivers::Go ? ofRounding : 0;
+  if (unwanted > 0 && surface.shells() > 1)
+    if (Surface thick = withoutThinShells(surface, unwanted, progress); thick.shells() > 0) surface = std::move(thick);
+  surface.leftOut = 0;
+  const int finest = std::ilogb(std::max(surface.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
+  const double thickness = std::ldexp(2, finest);
+  Finished made = roundedSomehow(withoutThinShells(std::move(surface), thickness, progress), centre, finest, progress);
+  const double least = std::max({unwanted, thickness, 2 * made.loss.moved});
+  return withoutThinRemains(std::move(made), least, ofRounding, progress);
+}
+
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& progress) {
+  const Surface surface{triangles, triangles, meshTopology(triangles, progress), bounds(triangles).diagonal(), 0};
   const Vec3 centre = Vec3::Zero();
   Attempts attempts(centre, progress);
-  auto made = Rounding(centre, attempts, progress).from({triangles}, std::ilogb(step), 0, mostBits);
+  auto made = Rounding(centre, attempts, progress).from(surface, std::ilogb(step), 0, mostBits);
   if (!made) return std::nullopt;
   return OnGrid{triangulated(made->mesh, progress).first, made->step};
 }

@@ -10,10 +10,22 @@
 
 namespace blossom::morphology {
 
+/// What has been lost to rounding.
+struct RoundingLoss {
+  double moved = 0;         ///< mm that corners have moved by at most, beyond the rounding of doubles
+  std::size_t leftOut = 0;  ///< bodies and voids that were thinner than a thickness
+  double thickness = 0;     ///< mm
+
+  /// Of two steps of one piece of work.
+  void add(const RoundingLoss&);
+  /// Nothing when nothing is lost.
+  [[nodiscard]] std::string sentences() const;
+};
+
 /// A result with corners rounded to doubles.
 struct Finished {
-  Mesh mesh;            ///< closed polygons in the user's coordinates; the exact test finds no intersections
-  std::string warning;  ///< when corners had to be moved by more than rounding
+  Mesh mesh;  ///< closed polygons in the user's coordinates; the exact test finds no intersections
+  RoundingLoss loss;
 };
 
 enum class Slivers : std::uint8_t { Stay, Go };

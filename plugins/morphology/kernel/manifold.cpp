@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
 #include "geometry/numeric/union_find.h"
 
 namespace blossom::morphology {
@@ -198,13 +199,10 @@ Mesh manifoldOfTriangles(const Mesh& triangles, const Progress& progress) {
 namespace {
 
 /// Equal places are one corner.
-Mesh withSharedCorners(const Mesh& mesh) {
+Mesh withSharedCorners(const Mesh& mesh, const Progress& progress) {
   Mesh shared = mesh;
-  std::map<std::array<double, 3>, int> numbers;
-  for (int& corner : shared.faceVertices) {
-    const Vec3& p = mesh.points[static_cast<std::size_t>(corner)];
-    corner = numbers.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, corner).first->second;
-  }
+  const std::vector<int> first = mergeEqualPoints(mesh.points, progress);
+  for (int& corner : shared.faceVertices) corner = first[static_cast<std::size_t>(corner)];
   return shared;
 }
 
@@ -232,7 +230,7 @@ bool takeTurns(const Mesh& mesh, std::span<const Side> sides) {
 }  // namespace
 
 std::optional<TwistedEdge> firstTwistedEdge(const Mesh& mesh, const Progress& progress) {
-  const Mesh shared = withSharedCorners(mesh);
+  const Mesh shared = withSharedCorners(mesh, progress);
   std::optional<TwistedEdge> found;
   forEachEdge(sidesOf(shared), [&](std::span<const Side> sides) {
     if (found || sides.size() <= 2 || sides[0].edge.first == sides[0].edge.second) return;

@@ -53,9 +53,10 @@ class Separation {
   }
 
   bool separate() {
-    constexpr int mostRounds = 40;
+    constexpr int mostRounds = 40, usualRounds = 5;
     for (int round = 0; round < mostRounds && !growsOn(); ++round) {
       progress_.check();
+      keepsThinTriangles_ = round > usualRounds;
       uniteCorners();
       leaveOutBackToBack();
       if (!putCornersOnEdges() && !crossEdges() && !putCornersOnFaces()) return true;
@@ -154,7 +155,26 @@ class Separation {
         if (isWithin(t) && (p - at(from) - t * along).squaredNorm() < least_ * least_) places[all[e]].emplace_back(t, point);
       });
     }
+    if (keepsThinTriangles_) keepThinTriangles(all, places);
     return divideEdges(places);
+  }
+
+  /// From a corner on one side of a narrow strip edges fan out to near corners on the other side, near which these lie. To
+  /// put them there makes flat triangles, and these make fans again, for ever: such corners stay where they are, if they are
+  /// not quite on the edge.
+  void keepThinTriangles(const std::vector<EdgeKey>& edges, Places& places) const {
+    constexpr double flat = 1e-3;  // of the least distance
+    const auto isEdge = [&](int a, int b) { return std::binary_search(edges.begin(), edges.end(), keyOf(a, b)); };
+    for (auto& [edge, along] : places) {
+      const auto& [from, to] = edge;
+      const Vec3 &start = at(from), way = at(to) - start;
+      std::erase_if(along, [&, first = from, last = to](const auto& place) {
+        const auto& [t, point] = place;
+        const bool isFan = isEdge(first, point) || isEdge(last, point);
+        return isFan && (at(point) - start - t * way).norm() >= flat * least_;
+      });
+    }
+    std::erase_if(places, [](const auto& entry) { return entry.second.empty(); });
   }
 
   bool crossEdges() {
@@ -254,6 +274,7 @@ class Separation {
   std::vector<Corners> faces_;
   std::size_t facesAtFirst_, pointsAtFirst_;
   double least_;
+  bool keepsThinTriangles_ = false;
   const Progress& progress_;
 };
 

@@ -1,11 +1,11 @@
 #include "kernel/slivers.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <vector>
 
-#include "geometry/mesh/mesh_topology.h"
 #include "kernel/arrangement/numbers.h"
 #include "kernel/manifold.h"
 
@@ -13,47 +13,73 @@ namespace blossom::morphology {
 
 namespace {
 
-/// Whether the two sides of each shell on a grid are nearer to each other than a step, on average over its area. In whole
-/// numbers: doubles would not know what is left of the volume.
-std::vector<bool> shellsThinnerThan(double step, const Mesh& mesh, const MeshTopology& topology) {
+/// The faces of each shell.
+std::vector<std::vector<std::size_t>> facesOfShells(const MeshTopology& topology) {
+  std::vector<std::vector<std::size_t>> faces(topology.components.size());
+  for (std::size_t f = 0; f < topology.componentOfFace.size(); ++f)
+    faces[static_cast<std::size_t>(topology.componentOfFace[f])].push_back(f);
+  return faces;
+}
+
+/// Calls visit(a, b, c) with the corners of the triangles that a face is divided into from its first corner.
+template <class Visit>
+void forEachTriangle(const Mesh& mesh, std::size_t face, const Visit& visit) {
+  const auto corners = mesh.face(face);
+  const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(corners[k])]; };
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) visit(at(0), at(k), at(k + 1));
+}
+
+/// Whether doubles know that the two sides of a shell are farther from each other than a thickness, on average.
+bool isSurelyThicker(double thickness, const Mesh& mesh, const std::vector<std::size_t>& shell) {
+  const Vec3& from = mesh.points[static_cast<std::size_t>(mesh.face(shell.front())[0])];
+  double sixVolumes = 0, twoAreas = 0, farthest = 0, count = 8;
+  for (const std::size_t f : shell)
+    forEachTriangle(mesh, f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      const Vec3 normal = (b - a).cross(c - a);
+      sixVolumes += normal.dot(a - from);
+      twoAreas += normal.norm();
+      farthest = std::max(farthest, (a - from).norm());
+      ++count;
+    });
+  const double roundOff = count * std::numeric_limits<double>::epsilon() * farthest;
+  return 2 * std::abs(sixVolumes) / 6 > (thickness + 4 * roundOff) * twoAreas / 2;
+}
+
+/// The same of shells on a grid, in whole numbers: doubles would not know what is left of the volume.
+bool isThinner(double thickness, double unit, const Mesh& mesh, const std::vector<std::size_t>& shell) {
   using namespace arrangement;
-  struct Sums {
-    std::optional<Grid3> corner;  ///< from which volumes are seen
-    Whole sixVolumes = 0;
-    double twoAreas = 0;
+  const auto onGrid = [unit](const Vec3& p) {
+    return Grid3{std::llround(p[0] / unit), std::llround(p[1] / unit), std::llround(p[2] / unit)};
   };
-  std::vector<Sums> sums(topology.components.size());
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    Sums& shell = sums[static_cast<std::size_t>(topology.componentOfFace[f])];
-    const auto corner = [&](std::size_t k) {
-      const Vec3& p = mesh.points[static_cast<std::size_t>(mesh.face(f)[k])];
-      return Grid3{std::llround(p[0] / step), std::llround(p[1] / step), std::llround(p[2] / step)};
-    };
-    const Grid3 first = corner(0);
-    if (!shell.corner) shell.corner = first;
-    const Normal3 normal = cross(corner(1) - first, corner(2) - first);
-    shell.sixVolumes += dot(normal, first - *shell.corner);
-    shell.twoAreas +=
-        Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
-  }
-  std::vector<bool> isThin;
-  isThin.reserve(sums.size());
-  for (const Sums& shell : sums)
-    isThin.push_back(2 * std::abs(shell.sixVolumes.convert_to<double>()) / 6 < shell.twoAreas / 2);
-  return isThin;
+  const Grid3 from = onGrid(mesh.points[static_cast<std::size_t>(mesh.face(shell.front())[0])]);
+  Whole sixVolumes = 0;
+  double twoAreas = 0;
+  for (const std::size_t f : shell)
+    forEachTriangle(mesh, f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      const Grid3 first = onGrid(a);
+      const Normal3 normal = cross(onGrid(b) - first, onGrid(c) - first);
+      sixVolumes += dot(normal, first - from);
+      twoAreas +=
+          Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
+    });
+  return twoAreas == 0 || 2 * std::abs(sixVolumes.convert_to<double>()) / 6 < thickness / unit * twoAreas / 2;
 }
 
 }  // namespace
 
-Mesh withoutSlivers(Mesh triangles, double step, const Progress& progress) {
-  const MeshTopology topology = meshTopology(triangles, progress);
-  if (!(step > 0) || topology.components.size() < 2) return triangles;
-  const std::vector<bool> isThin = shellsThinnerThan(step, triangles, topology);
-  if (std::none_of(isThin.begin(), isThin.end(), [](bool thin) { return thin; })) return triangles;
+std::optional<Mesh> withoutSlivers(const Mesh& mesh, const MeshTopology& topology, double thickness, double unit,
+                                   const Progress& progress) {
   Mesh result;
-  result.points = triangles.points;
-  for (std::size_t f = 0; f < triangles.faceCount(); ++f)
-    if (!isThin[static_cast<std::size_t>(topology.componentOfFace[f])]) result.addFace(triangles.face(f));
+  result.points = mesh.points;
+  bool isLess = false;
+  for (const auto& shell : facesOfShells(topology)) {
+    progress.check();
+    if (!isSurelyThicker(thickness, mesh, shell) && isThinner(thickness, unit, mesh, shell))
+      isLess = true;
+    else
+      for (const std::size_t f : shell) result.addFace(mesh.face(f));
+  }
+  if (!isLess) return std::nullopt;
   return manifoldOf(result, progress);
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/manifold.h"
 #include "kernel/self_crossing.h"
@@ -36,13 +37,7 @@ struct NumbersHash {
 
 /// Faces that use the same place use the same vertex, and no face uses one twice in a row.
 Mesh withSharedPoints(const Mesh& mesh, const Progress& progress) {
-  std::unordered_map<std::array<double, 3>, int, NumbersHash> seen;
-  seen.reserve(mesh.points.size());
-  std::vector<int> first;
-  for (const Vec3& p : mesh.points) {  // + 0.0: there is one zero only
-    if (first.size() % 4096 == 0) progress.check();
-    first.push_back(seen.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<int>(first.size())).first->second);
-  }
+  const std::vector<int> first = mergeEqualPoints(mesh.points, progress);
   Mesh result;
   result.points = mesh.points;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
@@ -119,7 +114,12 @@ CheckedSolid checkedShells(const Mesh& shared, double step, const Subject& subje
   if (shared.faceCount() == 0) throw enclosesNothing(subject);
   refuseOpen(shared, meshTopology(shared, progress), subject);
   CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(shared, progress).first, progress), subject), {}};
-  solid.triangles = withoutSlivers(manifoldOfTriangles(solid.triangles, progress), step, progress);
+  solid.triangles = manifoldOfTriangles(solid.triangles, progress);
+  const MeshTopology topology = meshTopology(solid.triangles, progress);
+  if (step > 0)
+    if (auto thicker = withoutSlivers(solid.triangles, topology, step, step, progress))
+      solid.triangles = *std::move(thicker);
+  if (solid.triangles.faceCount() == 0) throw enclosesNothing(subject);
   turnOutwards(solid, subject, progress);
   if (solid.bodyInBody)
     solid.warnings.push_back(fmt::format("{} has a body near {} that lies within another one: both are taken as one.",

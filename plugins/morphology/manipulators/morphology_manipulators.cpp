@@ -8,6 +8,9 @@ BLOSSOM_MANIPULATORS(registry) {
   registry.addHandles("morphology.inflate", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
     return std::make_unique<RadiusTool>(host, id, RadiusTool::Direction::Outwards);
   });
+  registry.addHandles("morphology.solid-round", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
+    return std::make_unique<RadiusTool>(host, id, RadiusTool::Direction::Inwards);
+  });
   registry.addHandles("morphology.melt", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
     return std::make_unique<RadiusTool>(host, id, RadiusTool::Direction::Inwards);
   });

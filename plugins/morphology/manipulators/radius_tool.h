@@ -6,8 +6,8 @@
 
 namespace blossom::morphology {
 
-/// A handle above the middle of a solid that inflates, or below its top when it melts; dragging it up and down sets the
-/// parameter `radius`. The document is previewed meanwhile; the whole drag is one step of undo.
+/// A handle above the middle of a solid that inflates, or below its top when it melts or is rounded; dragging it up and down
+/// sets the parameter `radius`. The document is previewed meanwhile; the whole drag is one step of undo.
 class RadiusTool final : public ui::HandleTool {
   Q_OBJECT
  public:

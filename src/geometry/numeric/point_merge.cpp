@@ -1,12 +1,24 @@
 #include "geometry/numeric/point_merge.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
 
 namespace blossom {
 namespace {
+
+std::uint64_t hashOf(const std::array<std::uint64_t, 3>& values) {
+  std::uint64_t hash = 0;
+  for (const std::uint64_t value : values) {
+    hash ^= value + 0x9e3779b97f4a7c15ull;
+    hash *= 0xff51afd7ed558ccdull;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
 
 /// First points of each cell, chained through `next` so that a cell costs no allocation of its own.
 class PointGrid {
@@ -41,13 +53,7 @@ class PointGrid {
   }
 
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-    std::uint64_t hash = 0;
-    for (const std::int64_t value : {x, y, z}) {
-      hash ^= static_cast<std::uint64_t>(value) + 0x9e3779b97f4a7c15ull;
-      hash *= 0xff51afd7ed558ccdull;
-      hash ^= hash >> 32;
-    }
-    return hash;
+    return hashOf({static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y), static_cast<std::uint64_t>(z)});
   }
 
   int near(std::uint64_t cellKey, const Vec3& p) const {
@@ -71,6 +77,20 @@ std::vector<int> mergeClosePoints(std::span<const Vec3> points, double distance)
   std::vector<int> result(points.size());
   PointGrid grid(points, distance);
   for (std::size_t i = 0; i < points.size(); ++i) result[i] = grid.findOrKeep(static_cast<int>(i));
+  return result;
+}
+
+std::vector<int> mergeEqualPoints(std::span<const Vec3> points, const Progress& progress) {
+  using Bits = std::array<std::uint64_t, 3>;
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 + 0 is 0
+  const auto hash = [](const Bits& place) { return static_cast<std::size_t>(hashOf(place)); };
+  std::unordered_map<Bits, int, decltype(hash)> seen(points.size(), hash);
+  std::vector<int> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 4096 == 0) progress.check();
+    const Vec3& p = points[i];
+    result[i] = seen.try_emplace({bits(p.x()), bits(p.y()), bits(p.z())}, static_cast<int>(i)).first->second;
+  }
   return result;
 }
 

@@ -85,19 +85,18 @@ class Growth {
   }
 
   void frames(const std::vector<double>& sizes, const std::function<Made(double size, double from, double to)>& step) {
-    const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, sizes.size()));
-    double from = 0.1;
+    constexpr double most = 0.9;
     std::size_t made = 0;
-    for (std::size_t k = 0; k < sizes.size(); ++k, from += share) {
-      const double most = from + 0.9 * share, to = from + share;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      work_.startFrame(k, sizes.size());
       if (!(sizes[k] > 0)) {
-        work_.finish(solid_, grid_, from, to);
+        work_.finish(solid_, grid_, 0, 1);
         continue;
       }
-      const Made frame = step(sizes[k], from, most);
+      const Made frame = step(sizes[k], 0, most);
       if (frame.mesh.faceCount() == 0) return tellEnd(sizes, k, made);
       ++made;
-      work_.finish(frame.mesh, solid_.centre + frame.moved, most, to);
+      work_.finish(frame.mesh, solid_.centre + frame.moved, most, 1);
     }
   }
 

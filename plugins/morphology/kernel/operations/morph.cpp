@@ -38,24 +38,25 @@ class Morph {
     }
   }
 
-  void frame(const std::vector<double>& weights, double from, double to) {
+  void frame(const std::vector<double>& weights, std::size_t number, std::size_t count) {
+    work_.startFrame(number, count);
     std::vector<Part> parts;
     for (std::size_t k = 0; k < shapes_.size(); ++k)
       if (weights[k] > 0) parts.push_back({k, weights[k]});
-    if (parts.size() == 1) return work_.finish(shapes_[parts.front().shape], grid_, from, to);
+    if (parts.size() == 1) return work_.finish(shapes_[parts.front().shape], grid_, 0, 1);
     Vec3 centre = Vec3::Zero();
     for (const Part& part : parts) centre += part.weight * shapes_[part.shape].centre;
-    const double most = from + 0.9 * (to - from);
-    if (const auto prism = ofPrisms(parts, from, most)) {
-      if (volumes_.empty()) return work_.finish(*prism, centre, most, to);
+    constexpr double most = 0.9;
+    if (const auto prism = ofPrisms(parts, 0, most)) {
+      if (volumes_.empty()) return work_.finish(*prism, centre, most, 1);
       work_.stats().way = Way::Prisms;
-      return work_.finish(blendedVolume(trianglesOf(*prism, work_.progress()), parts), centre, most, to);
+      return work_.finish(blendedVolume(trianglesOf(*prism, work_.progress()), parts), centre, most, 1);
     }
     if (std::all_of(parts.begin(), parts.end(), [&](const Part& p) { return isConvex(shapes_[p.shape]); }))
-      return work_.finish(blendedVolume(ofHulls(parts), parts), centre, most, to);
-    Sum sum = ofAny(parts, from, most);
+      return work_.finish(blendedVolume(ofHulls(parts), parts), centre, most, 1);
+    Sum sum = ofAny(parts, 0, most);
     for (Vec3& p : sum.mesh.points) p += sum.moved;
-    work_.finish(blendedVolume(std::move(sum.mesh), parts), centre, most, to);
+    work_.finish(blendedVolume(std::move(sum.mesh), parts), centre, most, 1);
   }
 
   MorphologyResult result() { return work_.result(); }
@@ -152,12 +153,7 @@ class Morph {
 MorphologyResult solidMorph(const std::vector<Operand>& shapes, const std::vector<std::vector<double>>& weights,
                             const MorphOptions& options, const Progress& progress) {
   Morph morph(shapes, weights, options, progress);
-  const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, weights.size()));
-  double from = 0.1;
-  for (const std::vector<double>& row : weights) {
-    morph.frame(row, from, from + share);
-    from += share;
-  }
+  for (std::size_t k = 0; k < weights.size(); ++k) morph.frame(weights[k], k, weights.size());
   return morph.result();
 }
 

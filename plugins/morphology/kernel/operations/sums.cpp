@@ -35,7 +35,7 @@ bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Op
   const Mesh nothing;
   const bool isTight = fitsExactly(work, pair.a, pair.b, pair.grid, &nothing);
   nothingLeft(a, isTight ? "It fits exactly, without room to move: make it a little smaller."
-                         : "Choose a smaller radius or second shape.");
+                         : "Choose a smaller second shape: a smaller radius, where it is a ball.");
 }
 
 /// @param left of the first shape; nothing: not known as a mesh

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/frame_progress.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/self_crossing.h"
@@ -36,6 +37,12 @@ Mesh cubeAround(double half) {
 
 Term termOf(const Prepared& operand, double factor) { return {operand.triangles, operand.pieces, factor}; }
 
+void Work::startFrame(std::size_t frame, std::size_t count) {
+  constexpr double preparation = 0.1;
+  const Progress frames = whole_.part(preparation, 1);
+  progress_ = count > 1 ? progressOfFrame(frames, frame, count) : frames;
+}
+
 Prepared Work::prepare(const Operand& operand, const CommonGrid& grid, double from, double to) {
   Stopwatch watch;
   Prepared made = prepared(operand, grid, progress_.part(from, to));
@@ -61,7 +68,9 @@ Prepared Work::asOperand(const Mesh& triangles, const std::string& name, const C
                          Slivers slivers) {
   Operand rounded;
   rounded.name = name;
-  rounded.mesh = finished(triangles, Vec3::Zero(), slivers, progress_.part(from, (from + to) / 2)).mesh;
+  Finished made = finished(triangles, Vec3::Zero(), slivers, progress_.part(from, (from + to) / 2));
+  rounded.mesh = std::move(made.mesh);
+  loss_.add(made.loss);
   try {
     return prepared(rounded, grid, progress_.part((from + to) / 2, to));
   } catch (const Error& error) {  // not what the user gave
@@ -122,7 +131,7 @@ void Work::finish(const Mesh& triangles, const Vec3& centre, double from, double
   Stopwatch watch;
   Finished made = finished(triangles, centre, Slivers::Go, progress_.part(from, to));
   solids_.push_back(std::move(made.mesh));
-  if (!made.warning.empty()) warn(std::move(made.warning));
+  loss_.add(made.loss);
   stats_.outputMs += watch.lapMs();
 }
 
@@ -133,6 +142,7 @@ void Work::finish(const Prism& prism, const Vec3& centre, double from, double to
 
 MorphologyResult Work::result() {
   progress_.report(1);
+  if (std::string lost = loss_.sentences(); !lost.empty()) warn(std::move(lost));
   return {std::move(solids_), stats_, std::move(warnings_)};
 }
 
@@ -157,8 +167,8 @@ void refuseTurnedShell(const Prepared& operand) {
 void nothingLeft(const Operand& operand, const std::string& remedy) {
   std::string name = operand.name;
   if (!name.empty() && name[0] == 'T') name[0] = 't';  // "The solid" inside a sentence
-  throw Error(ErrorCode::Degenerate, fmt::format("Nothing is left of {}: what is moved about in it has no room.", name),
-              remedy);
+  throw Error(ErrorCode::Degenerate,
+              fmt::format("Nothing is left of {}: the shape that is moved about inside of it has no room.", name), remedy);
 }
 
 }  // namespace blossom::morphology

@@ -17,7 +17,10 @@ namespace blossom::morphology {
 /// to another.
 class Work {
  public:
-  explicit Work(const Progress& progress) : progress_(progress) {}
+  explicit Work(const Progress& progress) : whole_(progress), progress_(progress) {}
+
+  /// From now on progress is that of one of several solids, which follow the preparation. @param frame from 0
+  void startFrame(std::size_t frame, std::size_t count);
 
   [[nodiscard]] Prepared prepare(const Operand&, const CommonGrid&, double from, double to);
   [[nodiscard]] std::pair<Prepared, Prepared> prepareBoth(const Operand&, const Operand&, const CommonGrid&, double from,
@@ -49,10 +52,11 @@ class Work {
  private:
   [[nodiscard]] Mesh unitedBodies(const Prepared&, const CommonGrid&, double from, double to);
 
-  const Progress& progress_;
+  Progress whole_, progress_;
   MorphologyStats stats_;
   std::vector<Mesh> solids_;
   std::vector<std::string> warnings_;
+  RoundingLoss loss_;  ///< of all steps
 };
 
 /// As it enters a sum.

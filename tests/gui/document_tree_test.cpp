@@ -225,6 +225,13 @@ void DocumentTreeTest::whatIsSelectedKeepsItsTurn() {
   window_->tree().selectAdded("d");
   window_->tree().select("a", true);
   QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"a", "d"}));
+  // A click on it gives it a turn, though it is selected already.
+  window_->tree().selectAdded("d");
+  const QModelIndex row = window_->tree().model()->index(static_cast<int>(window_->tree().model()->rowCount()) - 1, 0);
+  QCOMPARE(window_->tree().currentIndex(), row);
+  QTest::mouseClick(window_->tree().viewport(), Qt::LeftButton, {}, window_->tree().visualRect(row).center());
+  window_->tree().select("a", true);
+  QCOMPARE(window_->tree().selectedInTurn(), (std::vector<FeatureId>{"d", "a"}));
 }
 
 void DocumentTreeTest::suppressedInsteadOfDeleted() {

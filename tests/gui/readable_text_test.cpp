@@ -21,6 +21,7 @@ void ReadableTextTest::figuresReadWell() {
   QCOMPARE(measureLabel("trajectory_degree_u"), QStringLiteral("Trajectory degree in u"));
   QCOMPARE(measureLabel("length_mm") + statUnit("length_mm"), QStringLiteral("Length mm"));
   QVERIFY(!worthReading("refinements", 0) && worthReading("refinements", 2) && !worthReading("skipped", Value::object()));
+  QVERIFY(worthReading("kernel_ms", 2.5) && !worthReading("unite_ms", 2.5));  // a stage of the kernel
   QVERIFY(worthReading("min_normal_place", {1, 2, 3}) && !worthReading("min_normal_at", {0.5, 0.25}));
   const QString thin(QChar(0x2009));
   QCOMPARE(readable(1842.6), QStringLiteral("1") + thin + QStringLiteral("842.6"));

@@ -63,6 +63,12 @@ void TogetherTest::aSingleSolidWithoutANameIsGivenOne() {
   QCOMPARE(nameOf(computed), std::string("Tube"));
   QVERIFY(computed.get<Brep>()->shape().IsSame(box));
   QCOMPARE(nameOf(mergedShape({{"Import", Brep(box, "Box")}})), std::string("Box"));
+  Mesh mesh = tetrahedronAt(0);
+  QCOMPARE(mergedShape({{"Sum", mesh}}).get<Mesh>()->name, std::string("Sum"));
+  mesh.name = "Part 7";
+  QCOMPARE(mergedShape({{"Sum", mesh}}).get<Mesh>()->name, std::string("Part 7"));
+  const Shape frames = mergedShape({{"Melt", Sequence{{tetrahedronAt(0), tetrahedronAt(1)}, {0, 1}}}});
+  for (const Shape& frame : frames.get<Sequence>()->frames) QCOMPARE(frame.get<Mesh>()->name, std::string("Melt"));
 }
 
 void TogetherTest::meshesAreMeasuredAsTheirSum() {

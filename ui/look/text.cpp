@@ -194,8 +194,9 @@ Value shownStat(const std::string& name, const Value& value) {
 }
 
 bool worthReading(const std::string& name, const Value& value) {
-  static const std::set<std::string> technical{"min_normal_share", "min_normal_at", "min_weight_at", "crossing_first_at",
-                                               "crossing_second_at"};
+  static const std::set<std::string> technical{"min_normal_share",   "min_normal_at", "min_weight_at", "crossing_first_at",
+                                               "crossing_second_at", "check_ms",      "sum_ms",        "unite_ms",
+                                               "output_ms"};
   const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
                        (name == "refinements" && value.is_number() && value.get<double>() == 0);
   return !nothing && !technical.contains(name) && !isNestedData(value);

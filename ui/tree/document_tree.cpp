@@ -157,6 +157,8 @@ void DocumentTree::mousePressEvent(QMouseEvent* event) {
   }
   if (!index.isValid()) clearSelection();
   QListView::mousePressEvent(event);
+  // A click on what is selected already, as a new feature is, changes nothing but that it is selected by hand now.
+  if (turn_.empty() && index.isValid() && selected() == std::vector{model_->idAt(index)}) turn_ = {model_->idAt(index)};
 }
 
 void DocumentTree::mouseMoveEvent(QMouseEvent* event) {

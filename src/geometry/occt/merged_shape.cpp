@@ -58,6 +58,16 @@ Brep assembled(const std::vector<NamedShape>& shapes) {
 
 /// What was imported has names of its own, what was computed has not.
 Shape named(const NamedShape& single) {
+  if (const auto* mesh = single.shape.get<Mesh>(); mesh && mesh->name.empty()) {
+    Mesh copy = *mesh;
+    copy.name = single.name;
+    return copy;
+  }
+  if (const auto* sequence = single.shape.get<Sequence>()) {
+    Sequence copy = *sequence;
+    for (Shape& frame : copy.frames) frame = named({single.name, frame});
+    return copy;
+  }
   const auto* brep = single.shape.get<Brep>();
   if (!brep) return single.shape;
   std::vector<BrepInstance> roots = brep->roots();

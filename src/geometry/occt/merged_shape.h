@@ -16,8 +16,8 @@ struct NamedShape {
 ShapeKind mergedKind(const std::vector<ShapeKind>&);
 
 /// Combines shapes into one, for a file that stores them all; a single shape is returned as it is. Nothing is joined or cut.
-/// An assembly keeps the names; so does a single B-rep, where its parts have none of their own. O(size of meshes and
-/// drawings); B-reps are shared.
+/// An assembly keeps the names; so does a single mesh or B-rep, and each frame of a sequence, where it has none of its own.
+/// O(size of meshes and drawings); B-reps are shared.
 /// @throws Error InvalidInput when mergedKind is None.
 Shape mergedShape(const std::vector<NamedShape>&);
 

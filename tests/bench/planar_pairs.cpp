@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "core/memory.h"
-#include "core/parallel.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/polygon_sum.h"
 #include "support/planar_peer.h"
@@ -145,12 +144,8 @@ int main(int argc, char** argv) {
     const double times = (peer ? peer->seconds : patience) / seconds;
     fmt::print("  {:<24}{:12.3f} ms   CGAL {}{:12.1f} ms   {:8.1f} times", pair.name, 1e3 * seconds,
                peer ? "     " : "over ", 1e3 * (peer ? peer->seconds : patience), times);
-    if (seconds > 0.05) {
-      setThreadLimit(1);
-      const double one = medianSeconds([&] { area = planar::area(planar::sum(pair.a, pair.b)); });
-      fmt::print("   {:.2f} times one thread", one / seconds);
-      setThreadLimit(0);
-    }
+    if (seconds > 0.05)
+      fmt::print("   {:.2f} times one thread", timesOneThread([&] { area = planar::area(planar::sum(pair.a, pair.b)); }));
     if (peer && std::abs(area - peer->area) > 1e-9 * peer->area)
       fmt::print("   AREA {:.12g}, CGAL has {:.12g}", area, peer->area);
     fmt::print("\n");

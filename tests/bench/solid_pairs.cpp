@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/memory.h"
-#include "core/parallel.h"
 #include "support/exchange.h"
 #include "support/morphology.h"
 #include "support/run_apart.h"
@@ -90,9 +89,8 @@ void compare(const Pair& pair) {
              (cgal ? cgal->seconds : patience) / run.seconds);
   constexpr double aWhile = 0.1;  // s
   if (run.seconds > aWhile / 2) {
-    setThreadLimit(1);
-    if (const double one = ours(pair).seconds; one > aWhile) fmt::print("   {:.2f} times one thread", one / run.seconds);
-    setThreadLimit(0);
+    const double times = timesOneThread([&] { solidSumOf(pair.a, pair.b); });
+    if (times * run.seconds > aWhile) fmt::print("   {:.2f} times one thread", times);
   }
   if (cgal && std::abs(run.volume - cgal->volume) > 1e-9 * cgal->volume)
     fmt::print("   VOLUME {:.12g}, CGAL has {:.12g}", run.volume, cgal->volume);

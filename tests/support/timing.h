@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace blossom::test {
 
 double secondsOf(const auto& work) {
@@ -19,6 +21,20 @@ double medianSeconds(const auto& work) {
     times.push_back(secondsOf(work));
   std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
   return times[times.size() / 2];
+}
+
+/// How many times as fast all threads are as one. In turns, and the median of all turns: the machine is not always as fast.
+double timesOneThread(const auto& work) {
+  constexpr int turns = 7;
+  std::vector<double> times;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double all = secondsOf(work);
+    setThreadLimit(1);
+    times.push_back(secondsOf(work) / all);
+    setThreadLimit(0);
+  }
+  std::nth_element(times.begin(), times.begin() + turns / 2, times.end());
+  return times[turns / 2];
 }
 
 }  // namespace blossom::test

@@ -1,12 +1,9 @@
 #include "kernel/collapsed.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 
-#include "geometry/mesh/mesh_topology.h"
-#include "geometry/mesh/triangle_crossing.h"
 #include "geometry/numeric/point_merge.h"
 
 namespace blossom::morphology {
@@ -60,24 +57,6 @@ Mesh collapsed(const Mesh& mesh, const Progress& progress) {
     for (int k = 0; k < -times; ++k) shared.addFace(std::vector<int>(face.rbegin(), face.rend()));
   }
   return shared;
-}
-
-bool liesOnItself(const Mesh& mesh, const Progress& progress) {
-  const Mesh triangles = triangulated(mesh, progress).first;
-  const std::vector<int> first = mergeEqualPoints(triangles.points, progress);
-  std::vector<std::array<int, 3>> corners(triangles.faceCount());
-  for (std::size_t f = 0; f < corners.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) corners[f][k] = first[static_cast<std::size_t>(triangles.face(f)[k])];
-    std::sort(corners[f].begin(), corners[f].end());
-  }
-  progress.check();
-  std::sort(corners.begin(), corners.end());
-  const auto at = [&](int point) { return triangles.points[static_cast<std::size_t>(point)]; };
-  for (std::size_t k = 1; k < corners.size(); ++k) {
-    const auto& [a, b, c] = corners[k];
-    if (corners[k] == corners[k - 1] && !isCollapsed({at(a), at(b), at(c)})) return true;
-  }
-  return false;
 }
 
 }  // namespace blossom::morphology

@@ -8,8 +8,4 @@ namespace blossom::morphology {
 /// that lie on each other back to back. Some points may be unused. O(n log n). @throws Error Cancelled.
 Mesh collapsed(const Mesh&, const Progress& = Progress::none());
 
-/// Whether two faces lie on each other in a whole triangle: sheets with nothing between them, which cross nowhere. Polygons
-/// count as the triangles of `triangulated`. O(n log n). @throws Error Cancelled.
-bool liesOnItself(const Mesh&, const Progress& = Progress::none());
-
 }  // namespace blossom::morphology

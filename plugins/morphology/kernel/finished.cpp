@@ -80,7 +80,7 @@ class Attempts {
         progress_, [&] { crossing_ = firstCrossing(there, progress_); },
         [&] {
           isClosed = meshTopology(mesh).closed();
-          isSound = isClosed && !firstTwistedEdge(there, progress_) && !liesOnItself(there, progress_);
+          isSound = isClosed && !firstTwistedEdge(there, progress_);
         });
     if (!isClosed) crossing_.reset();
     if (crossing_ || !isSound) return std::nullopt;
@@ -121,8 +121,7 @@ Mesh snappedTo(Mesh mesh, const Vec3& centre, double step, const Progress& progr
 std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
   if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
   try {
-    Mesh triangles = triangulated(mesh, progress).first;
-    if (liesOnItself(triangles, progress)) triangles = manifoldOf(collapsed(triangles, progress), progress);
+    const Mesh triangles = manifoldOf(collapsed(triangulated(mesh, progress).first, progress), progress);
     return inOrder(manifoldOf(withoutDegenerate(triangles, {"The result"}), progress));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput) throw;
@@ -133,9 +132,9 @@ std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
 /// A closed surface in two forms, which are one where no triangles are coplanar.
 struct Surface {
   Mesh triangles, joined;
-  MeshTopology topology;    ///< of the triangles
-  double size = 0;          ///< of what it was at first
-  std::size_t leftOut = 0;  ///< shells that are no longer there
+  MeshTopology topology;  ///< of the triangles
+  double size = 0;        ///< of what it was at first
+  bool isLess = false;    ///< shells are no longer there
 
   [[nodiscard]] std::size_t shells() const { return topology.components.size(); }
 };
@@ -154,14 +153,21 @@ Surface surfaceOf(Mesh triangles, double size, const Progress& progress) {
   return made;
 }
 
-constexpr double fine = 64;  ///< parts of a thickness with which it is compared
+/// A small part of a thickness, as long as the grid of it holds the whole surface.
+double unitFor(double thickness, const Mesh& mesh) {
+  double farthest = 0;
+  for (const Vec3& p : mesh.points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return std::max(thickness / 64, std::ldexp(farthest, -58));
+}
 
-/// Without shells that are thinner, which rounding by half of that may turn inside out. Nothing may be left.
+/// Without shells that are thinner, which rounding by a quarter of that may turn inside out. Nothing may be left.
 Surface withoutThinShells(Surface surface, double thickness, const Progress& progress) {
-  const auto thicker = withoutSlivers(surface.triangles, surface.topology, thickness, thickness / fine, progress);
+  if (!(thickness > 0)) return surface;
+  const auto thicker =
+      withoutSlivers(surface.triangles, surface.topology, thickness, unitFor(thickness, surface.triangles), progress);
   if (!thicker) return surface;
   Surface made = surfaceOf(inOrder(*thicker), surface.size, progress);
-  made.leftOut = surface.leftOut + surface.shells() - made.shells();
+  made.isLess = true;
   return made;
 }
 
@@ -176,8 +182,7 @@ constexpr double leastThickness =
     1e-12;  ///< of the size: thinner voids and bodies may come from rounding and be turned by it
 
 RoundingLoss lossOf(double moved, const Surface& surface, double thickness) {
-  if (surface.leftOut == 0 || thickness <= leastThickness * surface.size) return {moved, 0, 0};
-  return {moved, surface.leftOut, thickness};
+  return {moved, surface.isLess && thickness > leastThickness * surface.size ? thickness : 0};
 }
 
 /// Rounds a surface to coarser and coarser grids until one crosses nowhere.
@@ -218,9 +223,12 @@ class Rounding {
 };
 
 /// With what is nearly one made one; nothing when that does not help.
-std::optional<Finished> withNearOnesUnited(const Surface& surface, Attempts& attempts, const Progress& progress) {
-  for (const double share : {1e-11, 1e-10, 1e-9}) {
-    const double least = share * surface.size, moved = 2 * least, thickness = 2 * moved, flat = 8 * least;
+/// @param finest the step of the finest grid
+std::optional<Finished> withNearOnesUnited(const Surface& surface, double finest, Attempts& attempts,
+                                           const Progress& progress) {
+  const double usual = std::max(1e-11 * surface.size, 4 * finest);
+  for (const double least : {usual, 10 * usual, 100 * usual}) {
+    const double moved = 2 * least, thickness = 2 * moved, flat = 8 * least;
     const Surface thick = withoutThinShells(surface, thickness, progress);
     const auto apart = separated(thick.triangles, least, progress);
     if (!apart || apart->faceCount() == 0) continue;
@@ -239,7 +247,6 @@ constexpr int fewBits = 4, mostBits = 24;  ///< by which grids are coarser than 
 
 void RoundingLoss::add(const RoundingLoss& other) {
   moved = std::max(moved, other.moved);
-  leftOut += other.leftOut;
   thickness = std::max(thickness, other.thickness);
 }
 
@@ -247,10 +254,9 @@ std::string RoundingLoss::sentences() const {
   std::string all;
   if (moved > 0)
     all = fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", moved);
-  if (leftOut == 0) return all;
-  return all + fmt::format("{}{} thinner than {:.2g} mm {} been left out.", all.empty() ? "" : " ",
-                           leftOut == 1 ? "1 body or void" : fmt::format("{} bodies or voids", leftOut), thickness,
-                           leftOut == 1 ? "has" : "have");
+  if (!(thickness > 0)) return all;
+  return all +
+         fmt::format("{}Bodies or voids thinner than {:.2g} mm have been left out.", all.empty() ? "" : " ", thickness);
 }
 
 CannotBeRounded::CannotBeRounded(const std::string& message)
@@ -260,16 +266,24 @@ CannotBeRounded::CannotBeRounded(const std::string& message)
 
 namespace {
 
-/// As exact as is possible. @param finest exponent of the finest grid
-Finished roundedSomehow(const Surface& surface, const Vec3& centre, int finest, const Progress& progress) {
-  const RoundingLoss none = lossOf(0, surface, std::ldexp(2, finest));
+/// How far rounding moves a point at most where it lies.
+double movedByDoubles(const Mesh& mesh, const Vec3& centre) {
+  double farthest = 0;
+  for (const Vec3& p : mesh.points) farthest = std::max(farthest, (((p + centre) - centre) - p).norm());
+  return farthest;
+}
+
+/// As exact as is possible. @param thickness of shells that rounding to doubles may turn
+Finished roundedSomehow(const Surface& whole, const Vec3& centre, double thickness, const Progress& progress) {
+  const Surface surface = withoutThinShells(whole, thickness, progress);
   Attempts attempts(centre, progress);
-  if (auto made = attempts.withFewerPolygons(surface.joined)) return {inOrder(*made), none};
+  if (auto made = attempts.withFewerPolygons(surface.joined)) return {inOrder(*made), lossOf(0, surface, thickness)};
   std::optional<MeshCrossing> crossing = attempts.crossing();
-  if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), none};
+  if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), lossOf(0, surface, thickness)};
+  const int finest = std::ilogb(std::max(whole.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
   Rounding rounding(centre, attempts, progress);
   if (auto made = rounding.from(surface, finest, 0, fewBits)) return {inOrder(made->mesh), made->loss};
-  if (auto made = withNearOnesUnited(surface, attempts, progress)) return *std::move(made);
+  if (auto made = withNearOnesUnited(surface, std::ldexp(1, finest), attempts, progress)) return *std::move(made);
   if (auto made = rounding.from(surface, finest, fewBits + 2, mostBits)) return {inOrder(made->mesh), made->loss};
   if (attempts.crossing()) crossing = attempts.crossing();
   throw CannotBeRounded(
@@ -286,14 +300,12 @@ Finished withoutThinRemains(Finished made, double thickness, double toldFrom, co
   const MeshTopology ofTriangles = meshTopology(triangles, progress);
   if (ofTriangles.components.size() < 2) return made;
   const MeshTopology ofPolygons = meshTopology(made.mesh, progress);
+  const double unit = unitFor(thickness, triangles);
   const bool isAlike = ofPolygons.components.size() == ofTriangles.components.size();
-  const auto thicker = isAlike ? withoutSlivers(made.mesh, ofPolygons, thickness, thickness / fine, progress)
-                               : withoutSlivers(triangles, ofTriangles, thickness, thickness / fine, progress);
+  const auto thicker = isAlike ? withoutSlivers(made.mesh, ofPolygons, thickness, unit, progress)
+                               : withoutSlivers(triangles, ofTriangles, thickness, unit, progress);
   if (!thicker || thicker->faceCount() == 0) return made;
-  if (thickness > toldFrom) {
-    const std::size_t left = meshTopology(*thicker, progress).components.size();
-    made.loss.add({0, ofTriangles.components.size() - left, thickness});
-  }
+  if (thickness > toldFrom) made.loss.add({0, thickness});
   made.mesh = inOrder(*thicker);
   return made;
 }
@@ -309,21 +321,20 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
   const double ofRounding = leastThickness * surface.size, unwanted = slivers == Slivers::Go ? ofRounding : 0;
   if (unwanted > 0 && surface.shells() > 1)
     if (Surface thick = withoutThinShells(surface, unwanted, progress); thick.shells() > 0) surface = std::move(thick);
-  surface.leftOut = 0;
-  const int finest = std::ilogb(std::max(surface.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
-  const double thickness = std::ldexp(2, finest);
-  Finished made = roundedSomehow(withoutThinShells(std::move(surface), thickness, progress), centre, finest, progress);
+  surface.isLess = false;
+  const double thickness = 4 * movedByDoubles(surface.triangles, centre);
+  Finished made = roundedSomehow(surface, centre, thickness, progress);
   const double least = std::max({unwanted, thickness, 2 * made.loss.moved});
   return withoutThinRemains(std::move(made), least, ofRounding, progress);
 }
 
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& progress) {
-  const Surface surface{triangles, triangles, meshTopology(triangles, progress), bounds(triangles).diagonal(), 0};
+  const Surface surface{triangles, triangles, meshTopology(triangles, progress), bounds(triangles).diagonal()};
   const Vec3 centre = Vec3::Zero();
   Attempts attempts(centre, progress);
   auto made = Rounding(centre, attempts, progress).from(surface, std::ilogb(step), 0, mostBits);
   if (!made) return std::nullopt;
-  return OnGrid{triangulated(made->mesh, progress).first, made->step};
+  return OnGrid{triangulated(made->mesh, progress).first, made->step, made->loss};
 }
 
 }  // namespace blossom::morphology

@@ -12,9 +12,8 @@ namespace blossom::morphology {
 
 /// What has been lost to rounding.
 struct RoundingLoss {
-  double moved = 0;         ///< mm that corners have moved by at most, beyond the rounding of doubles
-  std::size_t leftOut = 0;  ///< bodies and voids that were thinner than a thickness
-  double thickness = 0;     ///< mm
+  double moved = 0;      ///< mm that corners have moved by at most, beyond the rounding of doubles
+  double thickness = 0;  ///< mm below which bodies and voids have been left out; 0 where none has
 
   /// Of two steps of one piece of work.
   void add(const RoundingLoss&);
@@ -47,6 +46,7 @@ Finished finished(const Mesh& triangles, const Vec3& centre, Slivers slivers, co
 struct OnGrid {
   Mesh triangles;
   double step = 0;
+  RoundingLoss loss;
 };
 /// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^24 times as coarse, that cross
 /// nowhere; corners that come together there are one. Nothing when that fails. @pre a closed surface

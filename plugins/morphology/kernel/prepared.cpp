@@ -132,7 +132,11 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
       return {*std::move(checked), grid.step};
     const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, usual, progress);
     if (!coarser) throw;
-    return {checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step};
+    CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step};
+    if (coarser->loss.thickness > 0)
+      made.solid.warnings.push_back(
+          fmt::format("{}: {}", subject.name, RoundingLoss{0, coarser->loss.thickness}.sentences()));
+    return made;
   }
 }
 

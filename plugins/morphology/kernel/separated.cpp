@@ -39,11 +39,13 @@ bool isWithin(double t) { return t > 0 && t < 1; }
 /// Brings near things together, one kind after the other, until none is left.
 class Separation {
  public:
-  Separation(const Mesh& triangles, double least, const Progress& progress)
+  /// @param keepsThinTriangles in late rounds
+  Separation(const Mesh& triangles, double least, bool keepsThinTriangles, const Progress& progress)
       : points_(triangles.points),
         facesAtFirst_(triangles.faceCount()),
         pointsAtFirst_(triangles.points.size()),
         least_(least),
+        keepsThinTriangles_(keepsThinTriangles),
         progress_(progress) {
     faces_.reserve(triangles.faceCount());
     for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
@@ -56,7 +58,7 @@ class Separation {
     constexpr int mostRounds = 40, usualRounds = 5;
     for (int round = 0; round < mostRounds && !growsOn(); ++round) {
       progress_.check();
-      keepsThinTriangles_ = round > usualRounds;
+      isLate_ = round > usualRounds;
       uniteCorners();
       leaveOutBackToBack();
       if (!putCornersOnEdges() && !crossEdges() && !putCornersOnFaces()) return true;
@@ -155,7 +157,7 @@ class Separation {
         if (isWithin(t) && (p - at(from) - t * along).squaredNorm() < least_ * least_) places[all[e]].emplace_back(t, point);
       });
     }
-    if (keepsThinTriangles_) keepThinTriangles(all, places);
+    if (isLate_ && keepsThinTriangles_) keepThinTriangles(all, places);
     return divideEdges(places);
   }
 
@@ -274,16 +276,18 @@ class Separation {
   std::vector<Corners> faces_;
   std::size_t facesAtFirst_, pointsAtFirst_;
   double least_;
-  bool keepsThinTriangles_ = false;
+  bool keepsThinTriangles_, isLate_ = false;
   const Progress& progress_;
 };
 
 }  // namespace
 
 std::optional<Mesh> separated(const Mesh& triangles, double least, const Progress& progress) {
-  Separation separation(triangles, least, progress);
-  if (!separation.separate()) return std::nullopt;
-  return separation.mesh();
+  for (const bool keepsThinTriangles : {true, false}) {
+    Separation separation(triangles, least, keepsThinTriangles, progress);
+    if (separation.separate()) return separation.mesh();
+  }
+  return std::nullopt;
 }
 
 }  // namespace blossom::morphology

@@ -21,7 +21,8 @@ std::vector<std::vector<std::size_t>> facesOfShells(const MeshTopology& topology
   return faces;
 }
 
-/// Calls visit(a, b, c) with the corners of the triangles that a face is divided into from its first corner.
+/// Calls visit(a, b, c) with the corners of the triangles that a face is divided into from its first corner. Some of them
+/// turn the other way where it is not convex: sums of their normals are right, those of their areas are not.
 template <class Visit>
 void forEachTriangle(const Mesh& mesh, std::size_t face, const Visit& visit) {
   const auto corners = mesh.face(face);
@@ -32,17 +33,21 @@ void forEachTriangle(const Mesh& mesh, std::size_t face, const Visit& visit) {
 /// Whether doubles know that the two sides of a shell are farther from each other than a thickness, on average.
 bool isSurelyThicker(double thickness, const Mesh& mesh, const std::vector<std::size_t>& shell) {
   const Vec3& from = mesh.points[static_cast<std::size_t>(mesh.face(shell.front())[0])];
-  double sixVolumes = 0, twoAreas = 0, farthest = 0, count = 8;
-  for (const std::size_t f : shell)
+  double sixVolumes = 0, twoAreas = 0, fanAreas = 0, farthest = 0, count = 8;
+  for (const std::size_t f : shell) {
+    Vec3 ofFace = Vec3::Zero();
     forEachTriangle(mesh, f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       const Vec3 normal = (b - a).cross(c - a);
       sixVolumes += normal.dot(a - from);
-      twoAreas += normal.norm();
+      ofFace += normal;
+      fanAreas += normal.norm();
       farthest = std::max(farthest, (a - from).norm());
       ++count;
     });
+    twoAreas += ofFace.norm();
+  }
   const double roundOff = count * std::numeric_limits<double>::epsilon() * farthest;
-  return 2 * std::abs(sixVolumes) / 6 > (thickness + 4 * roundOff) * twoAreas / 2;
+  return 2 * std::abs(sixVolumes) / 6 > (thickness * twoAreas + 4 * roundOff * fanAreas) / 2;
 }
 
 /// The same of shells on a grid, in whole numbers: doubles would not know what is left of the volume.
@@ -54,14 +59,16 @@ bool isThinner(double thickness, double unit, const Mesh& mesh, const std::vecto
   const Grid3 from = onGrid(mesh.points[static_cast<std::size_t>(mesh.face(shell.front())[0])]);
   Whole sixVolumes = 0;
   double twoAreas = 0;
-  for (const std::size_t f : shell)
+  for (const std::size_t f : shell) {
+    Vec3 ofFace = Vec3::Zero();
     forEachTriangle(mesh, f, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       const Grid3 first = onGrid(a);
       const Normal3 normal = cross(onGrid(b) - first, onGrid(c) - first);
       sixVolumes += dot(normal, first - from);
-      twoAreas +=
-          Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])).norm();
+      ofFace += Vec3(static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2]));
     });
+    twoAreas += ofFace.norm();
+  }
   return twoAreas == 0 || 2 * std::abs(sixVolumes.convert_to<double>()) / 6 < thickness / unit * twoAreas / 2;
 }
 

@@ -176,6 +176,24 @@ class MorphologyRoundingTest : public QObject {
     VERIFY_ERROR(finished(triangulated(sheets).first, Vec3::Zero(), Slivers::Stay, Progress::none()), ErrorCode::Degenerate);
   }
 
+  // An open sheet beside a body has no volume, and is no thin body to be left out; triangles with corners of their own
+  // close.
+  void openSheetsAreRefusedOnGrids() {
+    const Mesh cube = triangulated(cuboid({0, 0, 0}, {1, 1, 1})).first;
+    Mesh sheet, soup;
+    sheet.points = {{3, 0, 0}, {4, 0, 0}, {3, 1, 0}};
+    sheet.addFace(std::array{0, 1, 2});
+    QVERIFY(!onCoarserGrid(together(cube, sheet), 1e-12));
+    for (std::size_t f = 0; f < cube.faceCount(); ++f) {
+      const int from = static_cast<int>(soup.points.size());
+      for (const Vec3& p : facePoints(cube, f)) soup.points.push_back(p);
+      soup.addFace(std::array{from, from + 1, from + 2});
+    }
+    const auto closed = onCoarserGrid(soup, 1e-12);
+    QVERIFY(closed);
+    COMPARE_NEAR(volumeOf(closed->triangles), 1, 1e-12);
+  }
+
   // What doubles hold exactly is not thin, however far it lies from the origin.
   void exactPlacesStay() {
     const double thickness = std::ldexp(1, -24);

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "core/error.h"
@@ -160,7 +159,7 @@ double unitFor(double thickness, const Mesh& mesh) {
   return std::max(thickness / 64, std::ldexp(farthest, -58));
 }
 
-/// Without shells that are thinner, which rounding by a quarter of that may turn inside out. Nothing may be left.
+/// Without shells that are thinner, which rounding may turn inside out. Nothing may be left.
 Surface withoutThinShells(Surface surface, double thickness, const Progress& progress) {
   if (!(thickness > 0)) return surface;
   const auto thicker =
@@ -200,7 +199,8 @@ class Rounding {
   [[nodiscard]] std::optional<Rounded> from(const Surface& surface, int finest, int firstBits, int lastBits) {
     for (int bits = firstBits; bits <= lastBits; bits += 2) {
       const double step = std::ldexp(1, finest + bits), thickness = 2 * step;
-      const Surface thick = withoutThinShells(surface, thickness, progress_);
+      // What is open may close on the grid: nobody knows what lies within it before.
+      const Surface thick = surface.topology.closed() ? withoutThinShells(surface, thickness, progress_) : surface;
       auto made = onGrid(thick.joined, step);
       if (!made && thick.joined.faceCount() < thick.triangles.faceCount()) made = onGrid(thick.triangles, step);
       if (made && keepsVolume(thick, *made, step + joinedFacesFlatness * surface.size))
@@ -293,7 +293,8 @@ Finished roundedSomehow(const Surface& whole, const Vec3& centre, double thickne
                              Subject{}.place(centre)));
 }
 
-/// What rounding has cut off, or turned, at places that were thinner than the rest of a shell goes, too. One shell stays.
+/// What rounding has cut off, or turned, at places that were thinner than the rest of a shell goes, too, unless nothing else
+/// is there.
 Finished withoutThinRemains(Finished made, double thickness, double toldFrom, const Progress& progress) {
   // A polygon may hang together in corners only: its triangles know.
   const Mesh triangles = triangulated(made.mesh, progress).first;
@@ -322,7 +323,7 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
   if (unwanted > 0 && surface.shells() > 1)
     if (Surface thick = withoutThinShells(surface, unwanted, progress); thick.shells() > 0) surface = std::move(thick);
   surface.isLess = false;
-  const double thickness = 4 * movedByDoubles(surface.triangles, centre);
+  const double thickness = std::max(4 * movedByDoubles(surface.triangles, centre), std::ldexp(surface.size, -51));
   Finished made = roundedSomehow(surface, centre, thickness, progress);
   const double least = std::max({unwanted, thickness, 2 * made.loss.moved});
   return withoutThinRemains(std::move(made), least, ofRounding, progress);

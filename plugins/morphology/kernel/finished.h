@@ -49,7 +49,7 @@ struct OnGrid {
   RoundingLoss loss;
 };
 /// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^24 times as coarse, that cross
-/// nowhere; corners that come together there are one. Nothing when that fails. @pre a closed surface
+/// nowhere; corners that come together there are one. Nothing when that fails, or when they are not closed there.
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

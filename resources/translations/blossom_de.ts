@@ -618,6 +618,29 @@
     </message>
 </context>
 <context>
+    <name>blossom::modeling::MoveTool</name>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Moved by %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>Verschoben um %1 · Strg: ohne Stufen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move the shape along an axis, the point to move it above the ground</source>
+        <translation>Ein Pfeil verschiebt die Form entlang einer Achse, der Punkt über dem Boden</translation>
+    </message>
+    <message>
+        <source>Drag: move it parallel to the ground</source>
+        <translation>Ziehen: parallel zum Boden verschieben</translation>
+    </message>
+    <message>
+        <source>Drag: move it along the arrow</source>
+        <translation>Ziehen: entlang des Pfeils verschieben</translation>
+    </message>
+</context>
+<context>
     <name>blossom::morphology::RadiusTool</name>
     <message>
         <source>Drag the radius</source>

@@ -618,6 +618,29 @@
     </message>
 </context>
 <context>
+    <name>blossom::modeling::MoveTool</name>
+    <message>
+        <source>Move</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>Moved by %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>%1만큼 이동 · Ctrl: 단계 없이 · Esc: 되돌리기</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move the shape along an axis, the point to move it above the ground</source>
+        <translation>화살표를 끌면 축을 따라, 점을 끌면 바닥 위에서 도형이 이동합니다</translation>
+    </message>
+    <message>
+        <source>Drag: move it parallel to the ground</source>
+        <translation>끌기: 바닥과 나란히 이동</translation>
+    </message>
+    <message>
+        <source>Drag: move it along the arrow</source>
+        <translation>끌기: 화살표를 따라 이동</translation>
+    </message>
+</context>
+<context>
     <name>blossom::morphology::RadiusTool</name>
     <message>
         <source>Drag the radius</source>

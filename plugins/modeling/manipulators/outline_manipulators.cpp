@@ -2,6 +2,7 @@
 
 #include "manipulators/draw_tool.h"
 #include "manipulators/edit_tool.h"
+#include "manipulators/move_tool.h"
 #include "manipulators/shape_handles.h"
 #include "manipulators/shape_tool.h"
 
@@ -23,4 +24,9 @@ void registerOutlineTools(ui::ManipulatorRegistry& registry) {
 
 }  // namespace blossom::modeling
 
-BLOSSOM_MANIPULATORS(registry) { blossom::modeling::registerOutlineTools(registry); }
+BLOSSOM_MANIPULATORS(registry) {
+  blossom::modeling::registerOutlineTools(registry);
+  registry.addHandles("modeling.transform", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
+    return std::make_unique<blossom::modeling::MoveTool>(host, id);
+  });
+}

@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "feature/registry.h"
 #include "geometry/shape/bounds.h"
+#include "ui/tools/axis_drag.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::morphology {
@@ -46,11 +47,10 @@ Document RadiusTool::with(double radius) const {
 }
 
 std::optional<double> RadiusTool::heightUnder(const Ray& ray) const {
-  const Vec3 across = ray.direction.cross(Vec3::UnitZ());
-  if (!top_ || across.norm() < 1e-3 * ray.direction.norm()) return std::nullopt;
-  // The plane through the ray and the common normal of both lines meets the vertical there.
-  const Vec3 normal = ray.direction.cross(across);
-  return (ray.origin - *top_).dot(normal) / normal.z();
+  if (!top_) return std::nullopt;
+  const auto place = ui::nearestOnLine(ray, *top_, Vec3::UnitZ());
+  if (!place) return std::nullopt;
+  return place->z() - top_->z();
 }
 
 std::optional<std::size_t> RadiusTool::handleUnder(const ui::ToolEvent& event) const {
@@ -75,9 +75,7 @@ void RadiusTool::drag(const ui::ToolEvent& event) {
   double radius = sign() * (*height - grabbed_);
   if (!event.modifiers.testFlag(Qt::ControlModifier)) {
     const double step = host().gridSpacing() / stepsPerGridSpacing;
-    const double perMillimetre = 1 / step, whole = std::round(perMillimetre);
-    const double steps = std::max(1.0, std::round(radius / step));
-    radius = std::abs(perMillimetre - whole) < 1e-9 * whole ? steps / whole : steps * step;  // 0.3, not 3 * 0.1
+    radius = ui::nearestStep(std::max(radius, step), step);
   }
   radius = std::max(radius, smallest);
   if (radius == radius_) return;

@@ -5,6 +5,7 @@
 
 #include "core/vector.h"
 #include "scene/picking.h"
+#include "ui/plugin/tool.h"
 
 /// What handles do that are dragged along a line.
 namespace blossom::ui {
@@ -16,6 +17,16 @@ inline std::optional<Vec3> nearestOnLine(const Ray& sight, const Vec3& through, 
   if (across.norm() < grazing) return std::nullopt;
   const Vec3 normal = along.cross(across);  // of the plane through the line of sight and the common normal of both
   return Vec3(through + (sight.origin - through).dot(normal) / axis.dot(normal) * axis);
+}
+
+inline double distanceOf(const Ray& sight, const Vec3& p) {
+  return (p - sight.origin).cross(sight.direction.normalized()).norm();
+}
+
+/// The step in which a length is dragged, mm.
+inline double dragStep(const ToolHost& host) {
+  constexpr double stepsPerGridSpacing = 20;
+  return host.gridSpacing() / stepsPerGridSpacing;
 }
 
 /// The multiple of a step nearest to a value, in digits as short as those of the step: 0.3, not 3 * 0.1.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/units.h"
@@ -17,12 +18,9 @@ namespace blossom::modeling {
 namespace {
 
 constexpr double arrowPixels = 70, shaftFrom = 0.2, middlePixels = 9;
-constexpr double stepsPerGridSpacing = 20;
 constexpr double grazing = 0.05;  ///< sine of the angle below which the ground is seen from its edge
 
 Vec3 axisOf(std::size_t handle) { return Vec3::Unit(static_cast<Eigen::Index>(handle)); }
-
-double distanceOf(const Ray& ray, const Vec3& p) { return (p - ray.origin).cross(ray.direction.normalized()).norm(); }
 
 }  // namespace
 
@@ -34,12 +32,16 @@ void MoveTool::load() {
   const Value parameters = completed(host().registry().at(now.type)->parameters, now.parameters);
   const Value& move = parameters.at("move");
   for (Eigen::Index k = 0; k < 3; ++k) move_[k] = move.at(static_cast<std::size_t>(k)).get<double>();
-  before_ = move_;
-  middleBefore_.reset();
   const auto result = host().result(feature());
-  if (!result || result->error) return;
-  const Bounds box = bounds(result->evaluated.shape);
-  if (!box.empty) middleBefore_ = box.center();
+  if (result && result == result_) {
+    // The box of many faces takes a while; of what is not computed anew yet, its place is known.
+    if (middleBefore_) *middleBefore_ += move_ - before_;
+  } else {
+    const Bounds box = result && !result->error ? bounds(result->evaluated.shape) : Bounds();
+    middleBefore_ = box.empty ? std::nullopt : std::optional<Vec3>(box.center());
+  }
+  result_ = result;
+  before_ = move_;
 }
 
 Document MoveTool::with(const Vec3& move) const {
@@ -60,10 +62,10 @@ std::optional<Vec3> MoveTool::placeUnder(std::size_t handle, const Vec3& through
 std::optional<std::size_t> MoveTool::handleUnder(const ui::ToolEvent& event) const {
   if (!middleBefore_) return std::nullopt;
   const double reach = gripPixels * event.millimetresPerPixel;
-  if (distanceOf(event.ray, middle()) <= reach) return middleHandle;
+  if (ui::distanceOf(event.ray, middle()) <= reach) return middleHandle;
   for (std::size_t axis = 0; axis < middleHandle; ++axis) {
     const auto place = placeUnder(axis, middle(), event.ray);
-    if (!place || distanceOf(event.ray, *place) > reach) continue;
+    if (!place || ui::distanceOf(event.ray, *place) > reach) continue;
     const double along = (*place - middle()).dot(axisOf(axis));
     if (along > shaftFrom * arrowLength() && along < arrowLength() + reach) return axis;
   }
@@ -82,7 +84,7 @@ void MoveTool::drag(const ui::ToolEvent& event) {
   const auto place = placeUnder(*held(), *middleBefore_, event.ray);
   if (!place) return;
   Vec3 wanted = before_ + *place - grabbed_;
-  const double step = host().gridSpacing() / stepsPerGridSpacing;
+  const double step = ui::dragStep(host());
   const bool isStepped = !event.modifiers.testFlag(Qt::ControlModifier);
   for (std::size_t k = 0; k < 3; ++k) {
     const bool isMoved = *held() == k || (*held() == middleHandle && k < 2);

@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -33,8 +33,9 @@ class MoveTool final : public ui::HandleTool {
   [[nodiscard]] Document with(const Vec3& move) const;
   [[nodiscard]] QString told() const;
 
-  Document base_;                     ///< the document that a drag starts from
-  std::optional<Vec3> middleBefore_;  ///< of the shape before the drag; empty while it is unknown
+  Document base_;                                ///< the document that a drag starts from
+  std::shared_ptr<const FeatureResult> result_;  ///< whose middle is known
+  std::optional<Vec3> middleBefore_;             ///< of the shape before the drag; empty while it is unknown
   Vec3 move_ = Vec3::Zero(), before_ = Vec3::Zero();
   Vec3 grabbed_ = Vec3::Zero();  ///< the place that was taken
 };

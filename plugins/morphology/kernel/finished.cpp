@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_crossing.h"
@@ -177,8 +178,8 @@ bool keepsVolume(const Surface& before, const Mesh& after, double moved) {
   return std::abs(change) <= 2 * moved * area(before.triangles) + roundOff;
 }
 
-constexpr double leastThickness =
-    1e-12;  ///< of the size: thinner voids and bodies may come from rounding and be turned by it
+/// Of the size: thinner voids and bodies may come from rounding, and be turned by it.
+constexpr double leastThickness = 1e-12;
 
 RoundingLoss lossOf(double moved, const Surface& surface, double thickness) {
   return {moved, surface.isLess && thickness > leastThickness * surface.size ? thickness : 0};
@@ -274,13 +275,13 @@ double movedByDoubles(const Mesh& mesh, const Vec3& centre) {
 }
 
 /// As exact as is possible. @param thickness of shells that rounding to doubles may turn
-Finished roundedSomehow(const Surface& whole, const Vec3& centre, double thickness, const Progress& progress) {
-  const Surface surface = withoutThinShells(whole, thickness, progress);
+Finished roundedSomehow(Surface whole, const Vec3& centre, double thickness, const Progress& progress) {
+  const Surface surface = withoutThinShells(std::move(whole), thickness, progress);
   Attempts attempts(centre, progress);
   if (auto made = attempts.withFewerPolygons(surface.joined)) return {inOrder(*made), lossOf(0, surface, thickness)};
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), lossOf(0, surface, thickness)};
-  const int finest = std::ilogb(std::max(whole.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
+  const int finest = std::ilogb(std::max(surface.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
   Rounding rounding(centre, attempts, progress);
   if (auto made = rounding.from(surface, finest, 0, fewBits)) return {inOrder(made->mesh), made->loss};
   if (auto made = withNearOnesUnited(surface, std::ldexp(1, finest), attempts, progress)) return *std::move(made);
@@ -324,7 +325,7 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
     if (Surface thick = withoutThinShells(surface, unwanted, progress); thick.shells() > 0) surface = std::move(thick);
   surface.isLess = false;
   const double thickness = std::max(4 * movedByDoubles(surface.triangles, centre), std::ldexp(surface.size, -51));
-  Finished made = roundedSomehow(surface, centre, thickness, progress);
+  Finished made = roundedSomehow(std::move(surface), centre, thickness, progress);
   const double least = std::max({unwanted, thickness, 2 * made.loss.moved});
   return withoutThinRemains(std::move(made), least, ofRounding, progress);
 }

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double gripPixels = 9, ringPixels = 5;
 constexpr double smallest = 1e-3;  // mm
-constexpr double stepsPerGridSpacing = 20;
 
 }  // namespace
 
@@ -55,9 +54,8 @@ std::optional<double> RadiusTool::heightUnder(const Ray& ray) const {
 
 std::optional<std::size_t> RadiusTool::handleUnder(const ui::ToolEvent& event) const {
   if (!top_) return std::nullopt;
-  const Vec3 offset = handle() - event.ray.origin;
-  const double distance = offset.cross(event.ray.direction.normalized()).norm();
-  return distance <= gripPixels * event.millimetresPerPixel ? std::optional<std::size_t>(0) : std::nullopt;
+  const bool isNear = ui::distanceOf(event.ray, handle()) <= gripPixels * event.millimetresPerPixel;
+  return isNear ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 bool RadiusTool::take(std::size_t /*handle*/, const ui::ToolEvent& event) {
@@ -74,7 +72,7 @@ void RadiusTool::drag(const ui::ToolEvent& event) {
   if (!height) return;
   double radius = sign() * (*height - grabbed_);
   if (!event.modifiers.testFlag(Qt::ControlModifier)) {
-    const double step = host().gridSpacing() / stepsPerGridSpacing;
+    const double step = ui::dragStep(host());
     radius = ui::nearestStep(std::max(radius, step), step);
   }
   radius = std::max(radius, smallest);

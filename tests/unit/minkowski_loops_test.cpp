@@ -90,6 +90,56 @@ class MinkowskiLoopsTest : public QObject {
     COMPARE_NEAR(areaWith(plain), spike, 1e-4);
   }
 
+  /// Loops that share corners bound what they should only if they do not cross there.
+  void loopsThatTouchInCorners() {
+    constexpr std::int64_t k = 1 << 20;
+    constexpr double units = 64;
+    const auto touches = [](const std::vector<GridPolygon>& loops) {
+      return touchesInCorners(loops, Progress::none(), units);
+    };
+    const GridLoop square{{0, 0}, {2 * k, 0}, {2 * k, 2 * k}, {0, 2 * k}};
+    const GridLoop beside{{2 * k, 2 * k}, {3 * k, 2 * k}, {3 * k, 3 * k}};
+    QVERIFY(touches({{square, {}}, {beside, {}}}));
+    QVERIFY(!isClear({{square, {}}, {beside, {}}}));
+    const GridLoop inside{{0, 0}, {k, k / 2}, {k / 2, k}};
+    QVERIFY(touches({{square, {{inside.rbegin(), inside.rend()}}}}));
+    QVERIFY(!touches({{square, {}}, {inside, {}}}));
+    const GridLoop first{{0, 0}, {2 * k, 0}, {2 * k, k}, {2 * k, 2 * k}, {k, 2 * k}, {0, 2 * k}},
+        crossingIt{{k, k}, {2 * k, k}, {3 * k, k}, {3 * k, 3 * k}, {k, 3 * k}, {k, 2 * k}};
+    QVERIFY(!touches({{first, {}}, {crossingIt, {}}}));
+    for (const std::int64_t gap : {1, 30, 63}) {  // beside a corner, or a corner beside an edge
+      QVERIFY(!touches({{square, {}}, {{{2 * k + gap, 2 * k}, {3 * k, 2 * k}, {3 * k, 3 * k}}, {}}}));
+      QVERIFY(!touches({{square, {}}, {{{2 * k + gap, k}, {3 * k, k / 2}, {3 * k, k}}, {}}}));
+    }
+    QVERIFY(!touches({{square, {}}, {{{2 * k, k}, {3 * k, k / 2}, {3 * k, k}}, {}}}));  // a corner on an edge
+    QVERIFY(touches({{square, {}}, {{{2 * k + 65, k}, {3 * k, k / 2}, {3 * k, k}}, {}}}));
+    // Petals of a hole, one after the other, each clockwise: where they follow each other counter-clockwise they cross.
+    const GridLoop around{{-8 * k, -8 * k}, {8 * k, -8 * k}, {8 * k, 8 * k}, {-8 * k, 8 * k}};
+    const std::vector<GridLoop> petals{{{0, 0}, {6 * k, -2 * k}, {5 * k, -4 * k}},
+                                       {{0, 0}, {k, 2 * k}, {2 * k, 2 * k}},
+                                       {{0, 0}, {-5 * k, k}, {-4 * k, 3 * k}}};
+    GridLoop crossingPetals;
+    for (const GridLoop& petal : petals) crossingPetals.insert(crossingPetals.end(), petal.begin(), petal.end());
+    QVERIFY(!touches({{around, {crossingPetals}}}));
+    const GridLoop pinched{{0, 0}, {k, k}, {2 * k, 0}, {2 * k, 2 * k}, {k, k}, {0, 2 * k}};
+    QVERIFY(!touches({{{pinched.rbegin(), pinched.rend()}, {}}}));  // clockwise
+    QVERIFY(touches({{pinched, {}}}));
+  }
+
+  /// One loop around a hole and, beyond the corner where it crosses the outline, around a lobe: nothing of it is lost,
+  /// whichever of the two lies farther to the left.
+  void holesWithALobeBeyondTheOutlineAreKept() {
+    for (int degrees = 0; degrees < 360; degrees += 10) {
+      const auto at = [&](double radius, double angle) -> Vec2 {
+        const double turned = (angle + degrees) * pi / 180;
+        return radius * Vec2(std::cos(turned), std::sin(turned));
+      };
+      const Region drawn{{polygonPath({{0, 0}, at(20, 300), at(28, 345), at(28, 30), at(28, 75), at(20, 120)}),
+                          polygonPath({{0, 0}, at(10, 60), at(10, 0), {0, 0}, at(6, 180), at(6, 240)})}};
+      COMPARE_NEAR(blossom::area(soundRegion(drawn, {}, "a").region), blossom::area(drawn), 1e-9);
+    }
+  }
+
   /// Corners that each turn by less than a crumb, many thousands of them: the outline must not drift away.
   void droppedCornersStayWithinACrumb() {
     constexpr double crumb = 4;  // units of the grid

@@ -15,10 +15,27 @@ const double clearShare = std::ldexp(1.0, -30);  // of the size of a shape
 
 double largestSide(const Polygons& polygons) { return boxOf(polygons).sizes().maxCoeff(); }
 
+/// Whether corners that one grid makes the same are so on all grids.
+bool agreeExactly(const Polygons& polygons, const Grid& grid) {
+  std::vector<std::pair<GridPoint, Vec2>> corners;
+  const auto add = [&](const Loop& loop) {
+    for (const Vec2& p : loop) corners.emplace_back(grid.nearest(p), p);
+  };
+  for (const Polygon& polygon : polygons) {
+    add(polygon.outer);
+    for (const Loop& hole : polygon.holes) add(hole);
+  }
+  std::sort(corners.begin(), corners.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+  const auto differ = [](const auto& p, const auto& q) { return p.first == q.first && p.second != q.second; };
+  return std::adjacent_find(corners.begin(), corners.end(), differ) == corners.end();
+}
+
 bool isKnownClear(const SampledRegion& region, const Progress& progress) {
   if (region.polygons.empty()) return false;
   const SnappedOperands snapped = snappedTogether(region.polygons, region.polygons);
-  return isClear(snapped.a, progress, clearShare * largestSide(region.polygons) / snapped.gridA.unit);
+  const double units = clearShare * largestSide(region.polygons) / snapped.gridA.unit;
+  return isClear(snapped.a, progress, units) ||
+         (agreeExactly(region.polygons, snapped.gridA) && touchesInCorners(snapped.a, progress, units));
 }
 
 SampledRegion scaled(const SampledRegion& region, double s) {

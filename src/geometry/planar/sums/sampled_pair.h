@@ -8,7 +8,8 @@ namespace blossom::planar {
 /// Two regions as polygons for their sum: each is cut at the normals of the other.
 struct SampledPair {
   SampledRegion a, b;
-  // Whether the edges of each are known to be farther apart than 2^-30 of its size.
+  // Whether the edges of each are known to be farther apart than 2^-30 of its size, but for corners that are
+  // exactly the same.
   bool clearA = false, clearB = false;
 };
 

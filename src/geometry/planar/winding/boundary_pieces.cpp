@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -38,6 +39,7 @@ class EdgeWalker {
     number_ = number;
     edge_ = edges_[number];
     by_ = edge_.to - edge_.from;
+    std::tie(lowest_, highest_) = std::minmax(edge_.from.y, edge_.to.y);
     run_.clear();
     bool fromStart = true;
     Cell previous{};
@@ -129,8 +131,15 @@ class EdgeWalker {
       }
   }
 
+  /// Whether the boxes around both edges have no point in common: most of them, told without products.
+  [[nodiscard]] bool liesBeyond(const CountedEdge& d) const {
+    const auto [low, high] = std::minmax(d.from.y, d.to.y);
+    return d.to.x < edge_.from.x || d.from.x > edge_.to.x || high < lowest_ || low > highest_;
+  }
+
   void meet(std::uint32_t k, double first, double last) {
     const CountedEdge& d = edges_[k];
+    if (liesBeyond(d)) return;
     const GridPoint toFrom = d.from - edge_.from, along = d.to - d.from;
     const int from = signOf(cross(by_, toFrom)), to = signOf(cross(by_, d.to - edge_.from));
     if (from * to > 0) return;
@@ -244,6 +253,7 @@ class EdgeWalker {
   std::uint32_t round_ = 0, number_ = 0;
   CountedEdge edge_;
   GridPoint by_;
+  std::int64_t lowest_ = 0, highest_ = 0;  ///< of its ends
   Cell before_{};
   std::vector<Cell> run_;
   struct Place {

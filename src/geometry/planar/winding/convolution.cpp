@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel_sort.h"
+#include "geometry/planar/winding/direction_order.h"
 #include "geometry/planar/winding/left_out_edges.h"
 
 namespace blossom::planar {
@@ -29,7 +30,8 @@ Extent extentOf(const GridLoop& loop) {
 
 /// A corner, turned so that its directions run counter-clockwise from `first` to `last`, by less than half a turn.
 struct Corner {
-  GridPoint at, first, last;
+  GridPoint at;
+  Direction first, last;
   int sign = 1;
   std::uint32_t number = CornerNumbers::unknown;
 };
@@ -60,23 +62,17 @@ std::vector<Corner> cornersOf(const NumberedLoop& numbered) {
     const Wide turn = cross(in, out);
     // A turn by half a turn is the end of a curve, one of no direction a point.
     if (turn > 0 || (turn == 0 && dot(in, out) <= 0))
-      corners.push_back({loop[i], in, out, 1, numbered.ofCorner(i)});
+      corners.push_back({loop[i], Direction(in), Direction(out), 1, numbered.ofCorner(i)});
     else
-      corners.push_back({loop[i], out, in, -1});
+      corners.push_back({loop[i], Direction(out), Direction(in), -1});
   }
   return corners;
-}
-
-/// Directions by angle from +x, counter-clockwise, exactly.
-bool before(const GridPoint& a, const GridPoint& b) {
-  const auto upper = [](const GridPoint& d) { return d.y > 0 || (d.y == 0 && d.x > 0); };
-  return upper(a) != upper(b) ? upper(a) : cross(a, b) > 0;
 }
 
 struct DirectedEdge {
   GridPoint from, to;
   std::uint32_t number = CornerNumbers::unknown;
-  [[nodiscard]] GridPoint direction() const { return to - from; }
+  Direction direction = Direction(to - from);
 };
 
 std::vector<DirectedEdge> edgesByDirection(const NumberedLoop& numbered) {
@@ -86,7 +82,7 @@ std::vector<DirectedEdge> edgesByDirection(const NumberedLoop& numbered) {
   edges.reserve(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], numbered.ofEdge(i)});
   std::sort(edges.begin(), edges.end(),
-            [](const DirectedEdge& a, const DirectedEdge& b) { return before(a.direction(), b.direction()); });
+            [](const DirectedEdge& a, const DirectedEdge& b) { return before(a.direction, b.direction); });
   return edges;
 }
 
@@ -160,13 +156,13 @@ enum class Closed { First, Last };
 /// Calls pair(first, last) for ranges of edges that a corner is paired with.
 template <class Pair>
 void forEachRange(const std::vector<DirectedEdge>& edges, const Corner& corner, Closed closed, Pair pair) {
-  if (corner.first == corner.last) return pair(edges.begin(), edges.end());  // a point
-  const auto rangeStart = [&](const GridPoint& direction) {
+  if (corner.first.along == corner.last.along) return pair(edges.begin(), edges.end());  // a point
+  const auto rangeStart = [&](const Direction& direction) {
     return closed == Closed::First
                ? std::lower_bound(edges.begin(), edges.end(), direction,
-                                  [](const DirectedEdge& e, const GridPoint& d) { return before(e.direction(), d); })
+                                  [](const DirectedEdge& e, const Direction& d) { return before(e.direction, d); })
                : std::upper_bound(edges.begin(), edges.end(), direction,
-                                  [](const GridPoint& d, const DirectedEdge& e) { return before(d, e.direction()); });
+                                  [](const Direction& d, const DirectedEdge& e) { return before(d, e.direction); });
   };
   const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
   if (before(corner.first, corner.last)) return pair(first, last);

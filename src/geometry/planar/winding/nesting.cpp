@@ -117,10 +117,16 @@ class Sweep {
   std::size_t entered_ = 0, left_ = 0;
 };
 
-/// A clockwise speck leaves out nothing; any other loop keeps its direction.
+bool enclosesToItsLeft(const GridLoop& loop) {
+  Wide twice = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
+  return twice > 0;
+}
+
+/// A clockwise speck, of which rounding makes a box, leaves out nothing; any other loop keeps its direction.
 GridLoop snappedLoop(const Loop& loop, const Grid& grid) {
   const std::vector<GridPolygon> image = snapped({{loop, {}}}, grid);
-  if (image.empty() || (signedArea(loop) < 0 && turnOf(image.front().outer) > 0)) return {};
+  if (image.empty() || (signedArea(loop) < 0 && enclosesToItsLeft(image.front().outer))) return {};
   return image.front().outer;
 }
 

@@ -131,6 +131,40 @@ std::vector<GridPolygon> onGrid(const Polygons& polygons) {
   return result;
 }
 
+/// Whether two edges come nearer to each other than some units only in one common end, and only where the condition allows
+/// it.
+template <class Condition>
+bool meetOnlyWhere(Condition mayMeet, const std::vector<CountedEdge>& edges, const Progress& progress, double clearance) {
+  bool clear = true;
+  forEachNearPair<2>(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
+    const CountedEdge &e = edges[i], &f = edges[j];
+    const auto near = [&](const GridPoint& p, const CountedEdge& edge) {
+      return distance(p, edge.from, edge.to) < clearance;
+    };
+    if (liesAside(e, f, clearance) || liesAside(f, e, clearance)) return true;
+    // A common end is one end of each that is near the other edge; any other coincidence needs a look.
+    const int ends = int{near(e.from, f)} + int{near(e.to, f)} + int{near(f.from, e)} + int{near(f.to, e)};
+    clear = ends == (mayMeet(e, f) ? 2 : 0) && !crossing(e.from, e.to, f.from, f.to);
+    return clear;
+  });
+  return clear;
+}
+
+/// How often loops pass the same corner at most.
+std::size_t mostPasses(const std::vector<CountedEdge>& loops) {
+  std::vector<GridPoint> corners;
+  corners.reserve(loops.size());
+  for (const CountedEdge& edge : loops) corners.push_back(edge.from);
+  std::sort(corners.begin(), corners.end());
+  std::size_t most = 0;
+  for (auto p = corners.begin(); p != corners.end();) {
+    const auto next = std::upper_bound(p, corners.end(), *p);
+    most = std::max(most, static_cast<std::size_t>(next - p));
+    p = next;
+  }
+  return most;
+}
+
 }  // namespace
 
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progress& progress) {
@@ -148,21 +182,17 @@ std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>& polygons) {
 }
 
 bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress, double clearance) {
+  const auto chained = [](const CountedEdge& e, const CountedEdge& f) { return e.to == f.from || e.from == f.to; };
+  return meetOnlyWhere(chained, loopEdges(polygons), progress, clearance);
+}
+
+bool touchesInCorners(const std::vector<GridPolygon>& polygons, const Progress& progress, double clearance) {
+  const auto haveCorner = [](const CountedEdge& e, const CountedEdge& f) {
+    return e.to == f.from || e.from == f.to || e.from == f.from || e.to == f.to;
+  };
   const std::vector<CountedEdge> edges = loopEdges(polygons);
-  bool clear = true;
-  forEachNearPair<2>(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
-    const CountedEdge &e = edges[i], &f = edges[j];
-    const auto near = [&](const GridPoint& p, const CountedEdge& edge) {
-      return distance(p, edge.from, edge.to) < clearance;
-    };
-    if (liesAside(e, f, clearance) || liesAside(f, e, clearance)) return true;
-    // Neighbours share one end; any other coincidence needs a look.
-    const bool chained = e.to == f.from || e.from == f.to;
-    const int ends = int{near(e.from, f)} + int{near(e.to, f)} + int{near(f.from, e)} + int{near(f.to, e)};
-    clear = ends == (chained ? 2 : 0) && !crossing(e.from, e.to, f.from, f.to);
-    return clear;
-  });
-  return clear;
+  return mostPasses(edges) <= 2 && meetOnlyWhere(haveCorner, edges, progress, clearance) &&
+         !misplacedFace(edgesOf(polygons), 0, progress);
 }
 
 std::vector<GridPolygon> untangled(std::vector<GridPolygon> polygons, const Progress& progress) {

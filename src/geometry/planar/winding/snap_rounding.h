@@ -21,6 +21,10 @@ std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>&);
 /// default what earlier roundings may have done to their order. May be false where edges are shorter than that.
 bool isClear(const std::vector<GridPolygon>&, const Progress& = Progress::none(), double units = 16);
 
+/// The same where loops may also touch in a corner, each other or themselves, but do not cross. Two passes through a corner
+/// do not if winding numbers are 0 and 1 all around; three may all the same, so they are not allowed at all.
+bool touchesInCorners(const std::vector<GridPolygon>&, const Progress&, double units);
+
 /// The loops as the convolution requires them. Rounding to the grid may make thin parts cross, and a crossing of a single
 /// unit changes the winding numbers of a whole sum. Where parts come within a few units of one another, the edges are
 /// snap-rounded and the loops rebuilt; otherwise the loops are unchanged.

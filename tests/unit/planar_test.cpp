@@ -311,6 +311,40 @@ class PlanarTest : public QObject {
     QCOMPARE(parts[1].holes, (std::vector<std::size_t>{3, 4}));
     QVERIFY(toRegion(toCurves(region)) == region);
   }
+  /// An outline of thousands of scallops, some turned inwards, around thousands of holes with an island each: even-odd by
+  /// the way they were made, whatever their order.
+  void loopsByTheThousandLieInAnOutlineOfThousandsOfArcs() {
+    auto random = seededRandom();
+    constexpr int scallops = 6000, rows = 40;
+    const double radius = 100, half = radius * std::sin(pi / scallops);
+    Path outline;
+    outline.closed = true;
+    double scalloped = scallops * radius * radius * std::sin(2 * pi / scallops) / 2;  // the polygon of their ends
+    for (int k = 0; k < scallops; ++k) {
+      const double from = 2 * pi * k / scallops, to = 2 * pi * (k + 1) / scallops, middle = (from + to) / 2;
+      const Vec2 centre = radius * std::cos(pi / scallops) * Vec2(std::cos(middle), std::sin(middle));
+      const bool outwards = k % 3 != 0;
+      outline.segments.push_back(Arc2{centre, half, outwards ? middle - pi / 2 : middle + 3 * pi / 2, outwards ? pi : -pi});
+      scalloped += (outwards ? 1 : -1) * pi * half * half / 2;
+    }
+    Curves curves{{outline}, FillRule::EvenOdd};
+    const double hole = 0.7, island = 0.3, pitch = 2 * 0.6 * radius / rows;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const Vec2 at = pitch * Vec2(i - (rows - 1) / 2.0, j - (rows - 1) / 2.0);
+        curves.paths.push_back(roundLoop(at, hole));
+        curves.paths.push_back(squarePath(at - Vec2(island / 2, island / 2), island));
+      }
+    std::shuffle(curves.paths.begin(), curves.paths.end(), random);
+    const Region region = toRegion(curves);
+    constexpr int holes = rows * rows;
+    QCOMPARE(loopsOf(region, true), std::size_t{1 + holes});
+    QCOMPARE(loopsOf(region, false), std::size_t{holes});
+    COMPARE_NEAR(area(region), scalloped + holes * (island * island - pi * hole * hole), 1e-9 * scalloped);
+    std::size_t most = 0;
+    for (const RegionComponent& part : components(region)) most = std::max(most, part.holes.size());
+    QCOMPARE(most, std::size_t{holes});
+  }
   void openOutlinesAreNamedWithTheirPlace() {
     const Curves curves{{polylinePath({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}})}, FillRule::EvenOdd};
     try {

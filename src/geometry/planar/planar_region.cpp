@@ -7,66 +7,70 @@
 #include <optional>
 
 #include "core/error.h"
+#include "geometry/numeric/box_tree.h"
+#include "geometry/planar/boundary_tree.h"
 #include "geometry/planar/planar.h"
-#include "geometry/planar/planar_bezier.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/single_point.h"
 
 namespace blossom {
 namespace {
 
-struct Box {
-  Vec2 low, high;
-  [[nodiscard]] bool contains(const Vec2& p) const {
-    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-  }
-  void add(const Vec2& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-};
-
-void add(Box& box, const Line2& line) {
-  box.add(line.from);
-  box.add(line.to);
-}
-void add(Box& box, const Arc2& arc) {
-  box.add(arc.center - Vec2::Constant(arc.radius));
-  box.add(arc.center + Vec2::Constant(arc.radius));
-}
-void add(Box& box, const Spline2& spline) {
-  for (const Vec3& pole : spline.poles) box.add(euclidean(pole));
-}
-
 /// A loop with all that nesting asks for.
 struct Loop {
   const Path* path;
-  Box box;
+  Box2 box;
   double area;  ///< signed
   Vec2 inside;
 };
 
 Loop prepared(const Path& path) {
-  const Vec2 start = startPoint(path);
-  Loop loop{&path, {start, start}, signedArea(path), interiorPoint(path)};
-  for (const Segment& segment : path.segments) std::visit([&](const auto& s) { add(loop.box, s); }, segment);
+  Loop loop{&path, {}, signedArea(path), interiorPoint(path)};
+  for (const Segment& segment : path.segments) loop.box.extend(boxAround(segment));
   return loop;
 }
 
-/// For every loop, the loops around it. Loops do not cross, so one point inside the smaller one decides.
-/// O(n log n) for well-spread loops, with a box test for every pair.
+/// Winding numbers of one loop for many points.
+class ManyWindings {
+ public:
+  explicit ManyWindings(const Path& path) : path_(path) {}
+  [[nodiscard]] int at(const Vec2& p) {
+    constexpr std::size_t few = 64, once = 4;
+    if (path_.segments.size() <= few || ++asked_ <= once) return windingNumber(path_, p);
+    if (!tree_) tree_.emplace(Region{{path_}});
+    return tree_->windingNumber(p);
+  }
+
+ private:
+  const Path& path_;
+  std::size_t asked_ = 0;
+  std::optional<BoundaryTree> tree_;
+};
+
+/// For every loop, the loops around it, with falling size. Loops do not cross, so one point inside the smaller one decides.
+/// O(n log n + k log m) for k pairs whose boxes meet, of loops of m segments that are well spread.
 std::vector<std::vector<std::size_t>> containers(const std::vector<Loop>& loops) {
-  std::vector<std::size_t> bySize(loops.size());
+  std::vector<std::size_t> bySize(loops.size()), rank(loops.size());
   std::iota(bySize.begin(), bySize.end(), 0);
   std::stable_sort(bySize.begin(), bySize.end(),
                    [&](std::size_t a, std::size_t b) { return std::abs(loops[a].area) > std::abs(loops[b].area); });
+  for (std::size_t i = 0; i < bySize.size(); ++i) rank[bySize[i]] = i;
+  std::vector<Box2> boxes;
+  std::vector<ManyWindings> windings;
+  for (const std::size_t i : bySize) {
+    boxes.push_back(loops[i].box);
+    windings.emplace_back(*loops[i].path);
+  }
+  const BoxTree<2> tree(boxes);
   std::vector<std::vector<std::size_t>> result(loops.size());
-  for (std::size_t i = 0; i < bySize.size(); ++i) {
-    const Loop& inner = loops[bySize[i]];
-    for (std::size_t j = 0; j < i; ++j) {
-      const Loop& outer = loops[bySize[j]];
-      if (outer.box.contains(inner.inside) && windingNumber(*outer.path, inner.inside) != 0)
-        result[bySize[i]].push_back(bySize[j]);
-    }
+  for (std::size_t inner = 0; inner < loops.size(); ++inner) {
+    const Vec2& inside = loops[inner].inside;
+    std::vector<std::size_t> around;  // ranks
+    tree.meeting(Box2(inside, inside), [&](std::size_t outer) {
+      if (outer < rank[inner] && boxes[outer].contains(inside) && windings[outer].at(inside) != 0) around.push_back(outer);
+    });
+    std::sort(around.begin(), around.end());
+    for (const std::size_t outer : around) result[inner].push_back(bySize[outer]);
   }
   return result;
 }

@@ -1,9 +1,11 @@
 #include <QElapsedTimer>
+#include <optional>
 
 #include "geometry/mesh/mesh_crossing.h"
 #include "support/gears.h"
 #include "support/membership.h"
 #include "support/modeling.h"
+#include "support/run_apart.h"
 #include "support/solid_peer.h"
 
 using namespace blossom;
@@ -11,20 +13,23 @@ using namespace blossom::test;
 
 namespace {
 
+constexpr double patience = 240;  // s
+
 /// What CGAL makes of two solids, and how long its one call took.
 struct Peer {
   double volume = 0, seconds = 0;
-  Mesh triangles;
 };
 
-Peer sumByCgal(const Mesh& a, const Mesh& b) {
-  Peer peer;
-  QElapsedTimer since;
-  since.start();
-  peer.triangles = sumByNef(a, b);
-  peer.seconds = static_cast<double>(since.nsecsElapsed()) * 1e-9;
-  peer.volume = volumeOf(peer.triangles);
-  return peer;
+/// Nothing when CGAL takes too long, or crashes, as it does once in some thousand pairs.
+std::optional<Peer> sumByCgal(const Mesh& a, const Mesh& b) {
+  return runApart(
+      [&] {
+        QElapsedTimer since;
+        since.start();
+        const Mesh sum = sumByNef(a, b);
+        return Peer{volumeOf(sum), static_cast<double>(since.nsecsElapsed()) * 1e-9};
+      },
+      patience);
 }
 
 /// Corners on a coarse grid, so that both sides are given the very same solid.
@@ -112,21 +117,27 @@ class MorphologyCgalTest : public QObject {
   void volumesEqualThoseOfCgal() {
     std::mt19937_64 random = seededRandom();
     double worst = 0;
-    int ours = 0, theirs = 0;
+    int ours = 0, theirs = 0, unanswered = 0;
     const int pairs = pairsAsked();
     for (int pair = 0; pair < pairs; ++pair) {
       const Mesh a = randomSolid(random), b = randomElement(random);
       QVERIFY(a.faceCount() <= 60 && b.faceCount() <= 60);
-      const Peer peer = sumByCgal(a, b);
+      const std::optional<Peer> peer = sumByCgal(a, b);
       const Mesh sum = *made("solid-sum", Value::object(), {a, b}).shape.get<Mesh>();
       QVERIFY(!firstCrossing(sum));
-      const double difference = std::abs(volumeOf(sum) - peer.volume) / peer.volume;
+      if (!peer) {
+        qWarning("pair %d: CGAL has no answer", pair);
+        ++unanswered;
+        continue;
+      }
+      const double difference = std::abs(volumeOf(sum) - peer->volume) / peer->volume;
       if (difference <= 1e-9) {
         worst = std::max(worst, difference);
         continue;
       }
-      const int wrongHere = wrongPlaces(random, sum, a, b), wrongThere = wrongPlaces(random, peer.triangles, a, b);
-      qWarning("pair %d: volume %.17g, CGAL %.17g; places told wrongly: %d, CGAL %d", pair, volumeOf(sum), peer.volume,
+      const int wrongHere = wrongPlaces(random, sum, a, b);
+      const int wrongThere = runApart([&] { return wrongPlaces(random, sumByNef(a, b), a, b); }, 2 * patience).value_or(0);
+      qWarning("pair %d: volume %.17g, CGAL %.17g; places told wrongly: %d, CGAL %d", pair, volumeOf(sum), peer->volume,
                wrongHere, wrongThere);
       ++(wrongHere == 0 && wrongThere > 0 ? theirs : ours);
     }
@@ -134,15 +145,18 @@ class MorphologyCgalTest : public QObject {
     qInfo("figure cgal_error %.3g", worst);
     qInfo("figure cgal_disagreements %d", ours);
     qInfo("figure cgal_mistakes_of_the_peer %d", theirs);
+    qInfo("figure cgal_unanswered %d", unanswered);
     QCOMPARE(ours, 0);
+    QVERIFY(20 * unanswered <= pairs);
   }
 
   // Of different axes, so that both are no prisms to one another.
   void wallsInCommonPlanes() {
     const Mesh a = onGrid(gear(6, 2)), b = onGrid(along(0, uChannel()));
-    const Peer peer = sumByCgal(a, b);
+    const std::optional<Peer> peer = sumByCgal(a, b);
+    QVERIFY(peer);
     const Evaluated sum = made("solid-sum", Value::object(), {a, b});
-    COMPARE_NEAR(volume(sum), peer.volume, 1e-9 * peer.volume);
+    COMPARE_NEAR(volume(sum), peer->volume, 1e-9 * peer->volume);
     QCOMPARE(sum.stats.at("way"), Value("arranged"));
     QVERIFY(!firstCrossing(*sum.shape.get<Mesh>()));
   }
@@ -162,13 +176,14 @@ class MorphologyCgalTest : public QObject {
     QFETCH(QString, first);
     QFETCH(QString, second);
     const Mesh a = sharedSolid(qPrintable(first)), b = sharedSolid(qPrintable(second));
-    const Peer peer = sumByCgal(a, b);
+    const std::optional<Peer> peer = sumByCgal(a, b);
+    QVERIFY(peer);
     QElapsedTimer since;
     since.start();
     const Evaluated sum = made("solid-sum", Value::object(), {a, b});
     const double seconds = static_cast<double>(since.nsecsElapsed()) * 1e-9;
-    COMPARE_NEAR(volume(sum), peer.volume, 1e-9 * peer.volume);
-    qInfo("figure %s_cgal %.3f", QTest::currentDataTag(), peer.seconds);
+    COMPARE_NEAR(volume(sum), peer->volume, 1e-9 * peer->volume);
+    qInfo("figure %s_cgal %.3f", QTest::currentDataTag(), peer->seconds);
     qInfo("figure %s_seconds %.3f", QTest::currentDataTag(), seconds);
   }
 };

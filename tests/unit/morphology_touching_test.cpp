@@ -236,6 +236,24 @@ class MorphologyTouchingTest : public QObject {
       QVERIFY2(refusal.find("looks inwards") != std::string::npos, refusal.c_str());
   }
 
+  /// A void thinner than doubles can tell what is inside, in one of two bodies that touch: uniting them keeps it, so what is
+  /// taken away from them moves about it as about a wider one.
+  void thinVoidsInBodiesThatTouchStay() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh touching = together(unitCell(), movedBy(unitCell(), {1, 0.3, 0.2}));
+    const Mesh element = turnedBy(cuboid({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05}), randomTurn(random));
+    for (int round = 0; round < 40; ++round) {
+      const double thin = std::pow(10, std::uniform_real_distribution<double>(-10, -8)(random));
+      const Eigen::Matrix3d turn = randomTurn(random);
+      const auto volumeWith = [&](double width) {
+        const Vec3 half = round % 2 == 0 ? Vec3(width / 2, 0.65 * width, 0.15) : Vec3(0.1, 0.1, width / 2);
+        const Mesh hollow = insideOut(movedBy(turnedBy(cuboid(-half, half), turn), {0.5, 0.5, 0.5}));
+        return volumeOf(solidDifference(bodyOf(together(touching, hollow)), bodyOf(element)).solids.front());
+      };
+      COMPARE_NEAR(volumeWith(thin), volumeWith(1e-7), 1e-5);
+    }
+  }
+
   // What still cannot be used is told by its name and where it is, far from the origin as well.
   void complaintsNameTheOperandAndThePlace() {
     const Mesh far = movedBy(together(unitCell(), movedBy(unitCell(), {1, 1, 0.5})), {100, 200, 300});

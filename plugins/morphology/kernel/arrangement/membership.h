@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "core/progress.h"
 #include "geometry/numeric/box_tree.h"
 #include "kernel/arrangement/features.h"
@@ -22,6 +24,7 @@ class Membership {
   };
   [[nodiscard]] static bool anyEdgeMeets(const Placed& edges, const Placed& faces, const Progress&);
   [[nodiscard]] static bool holds(const Placed& solid, const Grid3& point, const Progress&);
+  [[nodiscard]] static std::optional<int> turnsAlong(const Placed& solid, const Grid3& from, const Grid3& to);
 
   const Features &a_, &b_;
   bool insideOut_;

@@ -194,6 +194,30 @@ class MorphologyRoundingTest : public QObject {
     COMPARE_NEAR(volumeOf(closed->triangles), 1, 1e-12);
   }
 
+  // Coarser grids close what is open by less than they round; sheets that would vanish there are refused.
+  void cracksAreClosedAndSheetsAreNot() {
+    std::mt19937_64 random = seededRandom();
+    Mesh point;
+    point.points = {{0, 0, 0}};
+    for (const double wide : {1e-10, 1e-8, 1e-7}) {
+      const Eigen::Matrix3d turn = randomTurn(random);
+      Mesh cracked = triangulated(cuboid({0, 0, 0}, {1, 1, 1})).first;
+      cracked.points.push_back(cracked.points[static_cast<std::size_t>(cracked.face(0)[0])] + wide * Vec3(1, 0.7, -0.3));
+      cracked.faceVertices[0] = static_cast<int>(cracked.points.size()) - 1;
+      const MorphologyResult closed = solidSum(bodyOf(turnedBy(cracked, turn)), bodyOf(point));
+      COMPARE_NEAR(volumeOf(closed.solids.front()), 1, 50 * wide);
+      QCOMPARE(closed.warnings.size(), std::size_t{1});
+      QVERIFY(closed.warnings.front().find("was open: its corners have been rounded to") != std::string::npos);
+      Mesh sheets;
+      for (const double z : {0.0, wide})
+        for (const Vec2& p : {Vec2(3, 0), Vec2(4, 0), Vec2(4, 1), Vec2(3, 1)}) sheets.points.emplace_back(p.x(), p.y(), z);
+      sheets.addFace(std::array{0, 3, 2, 1});
+      sheets.addFace(std::array{4, 5, 6, 7});
+      const Mesh both = turnedBy(together(cuboid({0, 0, 0}, {1, 1, 1}), sheets), turn);
+      VERIFY_ERROR(solidSum(bodyOf(both), bodyOf(point)), ErrorCode::InvalidInput);
+    }
+  }
+
   // What doubles hold exactly is not thin, however far it lies from the origin.
   void exactPlacesStay() {
     const double thickness = std::ldexp(1, -24);

@@ -306,11 +306,23 @@ bool facesOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops, const
   return !triangles.empty() && std::abs(areaOf(mesh, triangles) - area) <= slack;
 }
 
+/// Whether each vertex is the end of three edges at least: none would be left out between two faces.
+bool keepsAllVertices(const Mesh& mesh, const MeshTopology& topology) {
+  std::vector<int> edges(mesh.points.size(), 0);
+  for (const MeshEdge& edge : topology.edges) {
+    if (!edge.manifold()) return false;
+    ++edges[at(edge.low)];
+    ++edges[at(edge.high)];
+  }
+  return std::all_of(edges.begin(), edges.end(), [](int count) { return count >= 3; });
+}
+
 }  // namespace
 
 Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Progress& progress) {
   const MeshTopology topology = meshTopology(mesh, progress);
   const Regions regions(mesh, topology, options.tolerance);
+  if (regions.count() == mesh.faceCount() && keepsAllVertices(mesh, topology)) return mesh;
   const auto& regionOfFace = regions.ofFace();
   const auto loops = loopsOf(mesh, regionOfFace, regions.count(), progress);
   std::vector<double> area(regions.count());

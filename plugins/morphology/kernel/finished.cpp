@@ -13,6 +13,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/collapsed.h"
+#include "kernel/convex/convex_surface.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
@@ -75,6 +76,7 @@ class Attempts {
     if (mesh.faceCount() == 0) return std::nullopt;
     Mesh there = movedFrom(mesh, centre_);
     if (!everyEdgeHasLength(there)) return std::nullopt;
+    if (isConvexSurface(there)) return there;  // which crosses nowhere, and is told at once
     bool isClosed = false, isSound = false;
     sideBySide(
         progress_, [&] { crossing_ = firstCrossing(there, progress_); },

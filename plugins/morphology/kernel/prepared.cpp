@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/arrangement/numbers.h"
+#include "kernel/convex/convex_surface.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
@@ -71,34 +71,6 @@ Bounds boundsOfPoints(const std::vector<Vec3>& points) {
   return bounds;
 }
 
-using PlacedTriangle = std::array<std::array<double, 3>, 3>;
-
-/// By the places of their corners, each from its lowest on.
-std::vector<PlacedTriangle> sortedTriangles(const Mesh& mesh) {
-  std::vector<PlacedTriangle> triangles;
-  triangles.reserve(mesh.faceCount());
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    PlacedTriangle t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& p = mesh.points[static_cast<std::size_t>(mesh.face(f)[k])];
-      t[k] = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-    }
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    triangles.push_back(t);
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
-/// Whether triangles are those of their hull: so they are closed, oriented and cross nowhere, without further checks.
-bool isHull(const Mesh& mesh) {
-  const std::size_t count = mesh.faceCount();
-  if (count < 4 || mesh.faceVertices.size() != 3 * count || count + 4 != 2 * mesh.points.size()) return false;
-  const Mesh hull = hullTriangles(mesh.points);
-  if (hull.faceCount() != count) return false;
-  return sortedTriangles(mesh) == sortedTriangles(hull);
-}
-
 Mesh snapped(Mesh mesh, double step) {
   for (Vec3& p : mesh.points) p = snapped(p, step);
   return mesh;
@@ -107,6 +79,7 @@ Mesh snapped(Mesh mesh, double step) {
 struct CheckedOnGrid {
   CheckedSolid solid;
   double step;
+  bool wasOpen = false;
 };
 
 std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, double step, const Subject& subject, const Progress& progress) {
@@ -118,8 +91,18 @@ std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, double step, const 
   }
 }
 
+/// Whether a mesh has lost no more area than strips along its edges, as wide as its corners have moved.
+bool keepsArea(const Mesh& before, const Mesh& after, double moved) {
+  double edges = 0;
+  for (std::size_t f = 0; f < before.faceCount(); ++f) {
+    const std::vector<Vec3> corners = facePoints(before, f);
+    for (std::size_t k = 0; k < corners.size(); ++k) edges += (corners[(k + 1) % corners.size()] - corners[k]).norm();
+  }
+  return area(after) >= area(before) - 2 * moved * edges;
+}
+
 /// Rounding may make faces cross that do not: then the finest grid is tried, which keeps nearly all doubles as they are, and
-/// coarser ones at last.
+/// coarser ones at last. These close cracks, too; sheets that would fall into one and vanish are no cracks.
 /// @param given the same where it lies: moving it has rounded it, too
 CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGrid& grid, const Subject& subject,
                             const Progress& progress) {
@@ -130,9 +113,12 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
     if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
     if (auto checked = checkedIfSound(snapped(mesh, grid.step), grid.step, subject, progress))
       return {*std::move(checked), grid.step};
-    const auto coarser = onCoarserGrid(triangulated(mesh, progress).first, usual, progress);
+    const Mesh triangles = triangulated(mesh, progress).first;
+    const bool wasOpen = !isClosed(given, progress);
+    const auto coarser = onCoarserGrid(triangles, usual, progress);
     if (!coarser) throw;
-    CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step};
+    CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step, wasOpen};
+    if (wasOpen && !keepsArea(triangles, made.solid.triangles, coarser->step)) throw;
     if (coarser->loss.thickness > 0)
       made.solid.warnings.push_back(
           fmt::format("{}: {}", subject.name, RoundingLoss{0, coarser->loss.thickness}.sentences()));
@@ -165,16 +151,18 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
   Mesh mesh = operand.mesh;
   for (Vec3& p : mesh.points) p -= result.centre;
   refuseUnusable(mesh, {operand.name, result.centre});
-  if (Mesh hull = snapped(mesh, usual); isHull(hull)) {
+  if (Mesh hull = snapped(mesh, usual); isConvexSurface(hull)) {
     result.bounds = boundsOfPoints(hull.points);
     result.prisms = prismsOf(hull, usual, progress);
     result.hull = result.triangles = std::move(hull);
     return result;
   }
-  auto [checked, step] = checkedOnGrid(mesh, operand.mesh, grid, {operand.name, result.centre}, progress);
+  auto [checked, step, wasOpen] = checkedOnGrid(mesh, operand.mesh, grid, {operand.name, result.centre}, progress);
   if (step > usual)
     checked.warnings.push_back(
-        fmt::format("{} has been rounded to {:.2g} mm, so that none of its faces cross.", operand.name, step));
+        wasOpen
+            ? fmt::format("{} was open: its corners have been rounded to {:.2g} mm, which closes it.", operand.name, step)
+            : fmt::format("{} has been rounded to {:.2g} mm, so that none of its faces cross.", operand.name, step));
   // What is left of crossings then lies between bodies, and has a warning.
   result.wallsWithin = checked.wallsWithin;
   result.bodiesMeet = checked.bodyInBody || checked.wallsWithin > 0 ||

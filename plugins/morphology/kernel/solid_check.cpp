@@ -155,6 +155,11 @@ void refuseUnusable(const Mesh& mesh, const Subject& subject) {
   }
 }
 
+bool isClosed(const Mesh& mesh, const Progress& progress) {
+  const MeshTopology topology = meshTopology(withSharedPoints(mesh, progress), progress);
+  return std::all_of(topology.edges.begin(), topology.edges.end(), [](const MeshEdge& edge) { return edge.balanced(); });
+}
+
 CheckedSolid checkedSolid(const Mesh& mesh, double step, const Subject& subject, const Progress& progress) {
   refuseUnusable(mesh, subject);
   progress.report(0, "Checking the input");

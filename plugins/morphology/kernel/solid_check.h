@@ -24,6 +24,9 @@ struct CheckedSolid {
 /// are not finite; LimitExceeded for coordinates beyond 1e9 mm.
 CheckedSolid checkedSolid(const Mesh&, double step, const Subject& subject, const Progress& = Progress::none());
 
+/// Whether each edge has as many faces one way round as the other, once corners at equal places are one.
+bool isClosed(const Mesh&, const Progress&);
+
 /// The checks that need no exact arithmetic: finite numbers, indices, size. @throws Error.
 void refuseUnusable(const Mesh&, const Subject& subject);
 

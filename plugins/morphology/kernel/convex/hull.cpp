@@ -26,12 +26,18 @@ bool lieInPlane(const std::vector<Point>& points) {
   return true;
 }
 
+Point toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
 }  // namespace
+
+int sideOfPlane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return CGAL::orientation(toPoint(a), toPoint(b), toPoint(c), toPoint(d));
+}
 
 Mesh hullTriangles(const std::vector<Vec3>& points) {
   std::vector<Point> doubles;
   doubles.reserve(points.size());
-  for (const Vec3& p : points) doubles.emplace_back(p.x(), p.y(), p.z());
+  for (const Vec3& p : points) doubles.push_back(toPoint(p));
   Mesh mesh;
   if (lieInPlane(doubles)) return mesh;
   CGAL::Surface_mesh<Point> made;

@@ -11,6 +11,10 @@ namespace blossom::morphology {
 /// predicates.
 Mesh hullTriangles(const std::vector<Vec3>& points);
 
+/// 1 where d lies on the side from which a b c is seen counter-clockwise, -1 on the other one, 0 in the plane of them;
+/// exactly.
+int sideOfPlane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 /// {x : x + p inside the hull for every p of `points`}: its planes are moved inwards, exactly; corners are then rounded to
 /// doubles. Without faces when nothing of volume is left. @pre a hull of hullTriangles
 Mesh shrunk(const Mesh& hull, std::span<const Vec3> points);

@@ -18,6 +18,7 @@ Look Look::dark() {
   look.backgroundTop = hex("#2b3038");
   look.backgroundBottom = hex("#1b1e23");
   look.made = hex("#f2a65a");
+  look.madeFaces = look.made;
   look.control = hex("#8fb4ff");
   look.surface = hex("#b4bcc8");
   look.edge = hex("#3c424c");
@@ -32,6 +33,7 @@ Look Look::light() {
   look.backgroundTop = hex("#fbfbfa");
   look.backgroundBottom = hex("#e4e6ea");
   look.made = hex("#b35c0a");
+  look.madeFaces = hex("#f0a45c");
   look.control = hex("#2f66d0");
   look.surface = hex("#aab4c3");
   look.edge = hex("#474f5c");

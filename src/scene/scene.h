@@ -26,11 +26,12 @@ class PickIndex;
 /// Colours and line widths of the scene, for the dark and the light theme.
 struct Look {
   Color backgroundTop, backgroundBottom;
-  Color made;     ///< the warm accent, for results
-  Color control;  ///< the cool accent, for controls
-  Color surface;  ///< faces without a colour of their own
-  Color edge;     ///< feature edges of a shape with faces
-  Color curve;    ///< drawings and curves without faces
+  Color made;       ///< the warm accent, for results
+  Color madeFaces;  ///< the same for their faces, which are shaded: where lines must be dark, these need not
+  Color control;    ///< the cool accent, for controls
+  Color surface;    ///< faces without a colour of their own
+  Color edge;       ///< feature edges of a shape with faces
+  Color curve;      ///< drawings and curves without faces
   Color grid;
   Color fault;             ///< edges of a shape whose feature fails now
   double edgeWidth = 1.2;  ///< pixels, at a device pixel ratio of 1

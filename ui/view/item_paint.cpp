@@ -57,7 +57,7 @@ void layer(vtkActor& actor, const ItemPaint& shown) {
 
 void paintFaces(vtkActor& actor, const ItemPaint& shown) {
   const bool plain = shown.role == ItemRole::Plain, made = shown.role == ItemRole::Made;
-  const Color accent = made ? shown.look.made : shown.look.control;
+  const Color accent = made ? shown.look.madeFaces : shown.look.control;
   Color color;
   if (shown.scene.planar)
     color = mixed(mixed(shown.look.backgroundTop, shown.look.backgroundBottom, 0.5), plain ? shown.look.curve : accent,

@@ -83,9 +83,9 @@ class SumOverlay {
     const Look& look = context_.look;
     constexpr Color third{0.45, 0.65, 0.35};
     // Where they cover each other, the smallest ones are seen.
-    addFamily(outlinesOf(facets.at("edges")), third, tr("edge + edge"));
-    addFamily(outlinesOf(facets.at("face_and_corner")), look.made, tr("face + corner"));
-    addFamily(outlinesOf(facets.at("corner_and_face")), look.control, tr("corner + face"));
+    addFamily(outlinesOf(facets.at("edges")), third, third, tr("edge + edge"));
+    addFamily(outlinesOf(facets.at("face_and_corner")), look.madeFaces, look.made, tr("face + corner"));
+    addFamily(outlinesOf(facets.at("corner_and_face")), look.control, look.control, tr("corner + face"));
     if (outlines) addOutlines();
     const Outline reflex = outlineOf(parts_.at("reflex"));
     if (!reflex.empty()) props_.push_back(ui::pointsProp(reflex, look.fault, reflexPixels * context_.pixelRatio));
@@ -93,25 +93,29 @@ class SumOverlay {
   }
 
  private:
-  void addFamily(const Outlines& facets, const Color& color, const QString& name) {
+  void addFamily(const Outlines& facets, const Color& color, const Color& ofName, const QString& name) {
     if (facets.empty()) return;
-    props_.push_back(facetsProp(facets, color, layer_++));
-    const ui::LabelLook look = ui::labelLook(context_.look, color, context_.pixelRatio);
-    props_.push_back(ui::labelProp(name, placeOfName(facets), look));
+    props_.push_back(facetsProp(facets, color, layer_));
+    const ui::LabelLook look = ui::labelLook(context_.look, ofName, context_.pixelRatio);
+    props_.push_back(ui::labelProp(name, placeOfName(facets, layer_), look));
+    ++layer_;
     for (const Outline& facet : facets) {
       all_.push_back(facet);
       for (const Vec3& p : facet) bounds_.add(p);
     }
   }
-  /// The middle of the facet that lies highest: it bounds the sum.
-  static Vec3 placeOfName(const Outlines& facets) {
-    Vec3 highest = Vec3::Constant(-HUGE_VAL);
+  /// The middle of the facet that lies farthest out to one side, where it bounds the sum: each family has its own side, of
+  /// those that the usual view shows, so that no name covers another.
+  static Vec3 placeOfName(const Outlines& facets, int layer) {
+    const std::array<Vec3, 3> sides{Vec3(0.1, -0.1, 1), Vec3(1, -0.1, 0.1), Vec3(0.1, -1, 0.1)};
+    const Vec3& side = sides.at(static_cast<std::size_t>(layer) % sides.size());
+    Vec3 farthest = Vec3::Zero();
     for (const Outline& facet : facets) {
       Vec3 middle = Vec3::Zero();
       for (const Vec3& p : facet) middle += p / static_cast<double>(facet.size());
-      if (middle.z() > highest.z()) highest = middle;
+      if (&facet == &facets.front() || middle.dot(side) > farthest.dot(side)) farthest = middle;
     }
-    return highest;
+    return farthest;
   }
   void addOutlines() {
     std::vector<std::vector<Vec3>> dashes;

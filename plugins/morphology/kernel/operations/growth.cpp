@@ -109,7 +109,8 @@ class Growth {
 
   /// A sequence of the solid alone, which was asked to melt, tells nothing.
   void tellEnd(const std::vector<double>& sizes, std::size_t frame, std::size_t made) {
-    if (made == 0 && (frame == 0 || sizes.size() == 2)) nothingLeft(given_, "Choose a smaller radius or size.");
+    if (made == 0 && (frame == 0 || sizes.size() == 2))
+      nothingLeft(given_, elementOf(options_, 1).name, "Choose a smaller radius or size.");
     work_.warn(fmt::format("Nothing is left from a {} of {:.6g}{} on; the sequence ends after {} frames.",
                            options_.element ? "size" : "radius", sizes[frame], options_.element ? "" : " mm", frame));
   }

@@ -31,11 +31,12 @@ bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Op
   return true;
 }
 
-[[noreturn]] void refuseNothingLeft(Work& work, const Operand& a, const Pair& pair) {
+[[noreturn]] void refuseNothingLeft(Work& work, const Operand& a, const Operand& b, const Pair& pair) {
   const Mesh nothing;
   const bool isTight = fitsExactly(work, pair.a, pair.b, pair.grid, &nothing);
-  nothingLeft(a, isTight ? "It fits exactly, without room to move: make it a little smaller."
-                         : "Choose a smaller second shape: a smaller radius, where it is a ball.");
+  nothingLeft(a, b.name,
+              isTight ? "It fits exactly, without room to move: make it a little smaller."
+                      : fmt::format("Make {} smaller.", insideSentence(b.name)));
 }
 
 /// @param left of the first shape; nothing: not known as a mesh
@@ -94,13 +95,13 @@ MorphologyResult plainDifference(const Operand& a, const Operand& b, const Progr
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
     std::optional<Prism> left = difference(p, q, part);
-    if (!left) refuseNothingLeft(work, a, pair);
+    if (!left) refuseNothingLeft(work, a, b, pair);
     warnOfTightPlaces(work, pair, nullptr);
     return *std::move(left);
   };
   if (finishedAsPrisms(work, pair, pair.a.centre - pair.b.centre, ofPrisms)) return work.result();
   const Mesh left = eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.9);
-  if (left.faceCount() == 0) refuseNothingLeft(work, a, pair);
+  if (left.faceCount() == 0) refuseNothingLeft(work, a, b, pair);
   warnOfTightPlaces(work, pair, &left);
   work.finish(left, pair.a.centre - pair.b.centre, 0.9, 1);
   return work.result();
@@ -111,13 +112,13 @@ MorphologyResult plainOpening(const Operand& a, const Operand& b, const Progress
   const Pair pair = prepareUnited(work, a, b);
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
     const std::optional<Prism> left = difference(p, q, part.part(0, 0.5));
-    if (!left) refuseNothingLeft(work, a, pair);
+    if (!left) refuseNothingLeft(work, a, b, pair);
     warnOfTightPlaces(work, pair, nullptr);
     return sum(*left, q, part.part(0.5, 1));
   };
   if (finishedAsPrisms(work, pair, pair.a.centre, ofPrisms)) return work.result();
   const Mesh left = eroded(work, pair.a, pair.b, pair.grid, 0.1, 0.5);
-  if (left.faceCount() == 0) refuseNothingLeft(work, a, pair);
+  if (left.faceCount() == 0) refuseNothingLeft(work, a, b, pair);
   warnOfTightPlaces(work, pair, &left);
   const Prepared core = work.asOperand(left, a.name, pair.grid, 0.5, 0.55);
   const Mesh sum = sumOfAny(work, core, 1, pair.b, 1, pair.grid, 0.55, 0.9);

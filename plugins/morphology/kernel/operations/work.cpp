@@ -152,6 +152,11 @@ void requireSolid(const Operand& operand) {
                 "Extrude it first, or choose a solid or a closed mesh.");
 }
 
+std::string insideSentence(std::string name) {
+  if (name.starts_with("The ")) name[0] = 't';
+  return name;
+}
+
 void refuseSmallFaces(const std::string& name) {
   throw Error(ErrorCode::Degenerate, fmt::format("{} has faces that are too small beside the other shape.", name),
               "Leave out details that are too small for its size, or choose shapes of more similar size.");
@@ -164,11 +169,11 @@ void refuseTurnedShell(const Prepared& operand) {
               "Orient the faces of all bodies outwards, and keep voids inside of them.");
 }
 
-void nothingLeft(const Operand& operand, const std::string& remedy) {
-  std::string name = operand.name;
-  if (!name.empty() && name[0] == 'T') name[0] = 't';  // "The solid" inside a sentence
+void nothingLeft(const Operand& operand, const std::string& element, const std::string& remedy) {
   throw Error(ErrorCode::Degenerate,
-              fmt::format("Nothing is left of {}: the shape that is moved about inside of it has no room.", name), remedy);
+              fmt::format("Nothing is left of {}: {} has no room inside of it.", insideSentence(operand.name),
+                          insideSentence(element)),
+              remedy);
 }
 
 }  // namespace blossom::morphology

@@ -72,7 +72,9 @@ void requireSolid(const Operand&);
 /// @throws Error InvalidInput that names the operand.
 [[noreturn]] void refuseTurnedShell(const Prepared&);
 
-/// @throws Error Degenerate that names the solid of which an erosion has left nothing.
-[[noreturn]] void nothingLeft(const Operand&, const std::string& remedy);
+/// @throws Error Degenerate that names the solid of which an erosion has left nothing, and what has no room in it.
+[[noreturn]] void nothingLeft(const Operand&, const std::string& element, const std::string& remedy);
+/// "The ball" as "the ball".
+std::string insideSentence(std::string name);
 
 }  // namespace blossom::morphology

@@ -208,13 +208,16 @@ class MorphologyRoundingTest : public QObject {
       COMPARE_NEAR(volumeOf(closed.solids.front()), 1, 50 * wide);
       QCOMPARE(closed.warnings.size(), std::size_t{1});
       QVERIFY(closed.warnings.front().find("was open: its corners have been rounded to") != std::string::npos);
-      Mesh sheets;
-      for (const double z : {0.0, wide})
-        for (const Vec2& p : {Vec2(3, 0), Vec2(4, 0), Vec2(4, 1), Vec2(3, 1)}) sheets.points.emplace_back(p.x(), p.y(), z);
-      sheets.addFace(std::array{0, 3, 2, 1});
-      sheets.addFace(std::array{4, 5, 6, 7});
-      const Mesh both = turnedBy(together(cuboid({0, 0, 0}, {1, 1, 1}), sheets), turn);
-      VERIFY_ERROR(solidSum(bodyOf(both), bodyOf(point)), ErrorCode::InvalidInput);
+      for (const double side : {1.0, 0.01}) {
+        Mesh sheets;
+        for (const double z : {0.0, wide})
+          for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+            sheets.points.emplace_back(3 + side * p.x(), side * p.y(), z);
+        sheets.addFace(std::array{0, 3, 2, 1});
+        sheets.addFace(std::array{4, 5, 6, 7});
+        const Mesh both = turnedBy(together(cuboid({0, 0, 0}, {1, 1, 1}), sheets), turn);
+        VERIFY_ERROR(solidSum(bodyOf(both), bodyOf(point)), ErrorCode::InvalidInput);
+      }
     }
   }
 

@@ -16,6 +16,7 @@
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
+#include "kernel/only_closed.h"
 #include "kernel/solid_check.h"
 
 namespace blossom::morphology {
@@ -91,16 +92,6 @@ std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, double step, const 
   }
 }
 
-/// Whether a mesh has lost no more area than strips along its edges, as wide as its corners have moved.
-bool keepsArea(const Mesh& before, const Mesh& after, double moved) {
-  double edges = 0;
-  for (std::size_t f = 0; f < before.faceCount(); ++f) {
-    const std::vector<Vec3> corners = facePoints(before, f);
-    for (std::size_t k = 0; k < corners.size(); ++k) edges += (corners[(k + 1) % corners.size()] - corners[k]).norm();
-  }
-  return area(after) >= area(before) - 2 * moved * edges;
-}
-
 /// Rounding may make faces cross that do not: then the finest grid is tried, which keeps nearly all doubles as they are, and
 /// coarser ones at last. These close cracks, too; sheets that would fall into one and vanish are no cracks.
 /// @param given the same where it lies: moving it has rounded it, too
@@ -118,7 +109,7 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
     const auto coarser = onCoarserGrid(triangles, usual, progress);
     if (!coarser) throw;
     CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step, wasOpen};
-    if (wasOpen && !keepsArea(triangles, made.solid.triangles, coarser->step)) throw;
+    if (wasOpen && !isOnlyClosed(triangles, made.solid.triangles, made.step, progress)) throw;
     if (coarser->loss.thickness > 0)
       made.solid.warnings.push_back(
           fmt::format("{}: {}", subject.name, RoundingLoss{0, coarser->loss.thickness}.sentences()));

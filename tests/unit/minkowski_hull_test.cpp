@@ -180,7 +180,8 @@ class MinkowskiHullTest : public QObject {
     QVERIFY(discs.region == circleRegion(2e6, {1e6, 1e6}) && discs.sums == 0 && discs.hullDistance == 0);
   }
 
-  /// Equation 1.3: (1/k) [k]A tends to the hull; the distance of the hull to [k]A does not grow with k.
+  /// Equation 1.3: (1/k) [k]A tends to the hull; the distance of the hull to [k]A does not grow with k. (Where the hull
+  /// stands for [k]A, only a bound of it is told.)
   void copiesComeNearerToTheHull() {
     Random random = seededRandom();
     for (int round = 0; round < 20; ++round) {
@@ -191,6 +192,7 @@ class MinkowskiHullTest : public QObject {
         const RegionRepeatResult result = regionRepeat(shape, {.count = k, .normalised = true});
         QVERIFY(result.hullDistance <= result.hullBound);
         QVERIFY(area(result.region) <= hullArea * (1 + 1e-9));
+        if (result.isHull) continue;
         const double total = static_cast<double>(k) * result.hullDistance;
         if (k >= 3) QVERIFY2(total <= before + 1e-4, qPrintable(QString("%1 %2").arg(total).arg(before)));
         if (k >= 2) before = total;

@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 
@@ -44,8 +45,18 @@ Vec3 meetingPlace(const Triangle3& a, const Triangle3& b) {
   return (feet.first + feet.second) / 2;
 }
 
+/// Whether the other two corners of b lie on one side of the plane of a, off it.
+bool liesAside(const Triangle3& a, const Triangle3& b, std::size_t cornerOfB) {
+  const auto p = toCrossingKernel(a[0]), q = toCrossingKernel(a[1]), r = toCrossingKernel(a[2]);
+  const auto side = [&](std::size_t k) { return CGAL::orientation(p, q, r, toCrossingKernel(b[(cornerOfB + k) % 3])); };
+  const CGAL::Orientation first = side(1);
+  return first != CGAL::COPLANAR && first == side(2);
+}
+
 /// What two triangles have in common is convex, so beyond a shared corner it reaches the far side of one of them.
 std::optional<Vec3> beyondCorner(const Triangle3& a, const Triangle3& b, std::size_t cornerOfA, std::size_t cornerOfB) {
+  // Most neighbours are told apart by signs that doubles decide.
+  if (liesAside(a, b, cornerOfB) || liesAside(b, a, cornerOfA)) return std::nullopt;
   const auto meets = [](const Triangle3& triangle, const Triangle3& side) {
     const CrossingKernel::Segment_3 segment(toCrossingKernel(side[0]), toCrossingKernel(side[1]));
     return CGAL::do_intersect(toCrossingKernel(triangle), segment);
@@ -68,6 +79,11 @@ std::optional<Vec3> foldedOver(const Triangle3& a, const Triangle3& b, std::size
 }  // namespace
 
 bool isCollapsed(const Triangle3& t) {
+  // Bounds of what rounding does to differences, to products and their difference, and of what underflows.
+  constexpr double rounding = 1e-14, underflow = 1e-290;
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0];
+  const double size = u.lpNorm<Eigen::Infinity>() * v.lpNorm<Eigen::Infinity>();
+  if (u.cross(v).lpNorm<Eigen::Infinity>() > rounding * size + underflow) return false;
   return CGAL::collinear(toCrossingKernel(t[0]), toCrossingKernel(t[1]), toCrossingKernel(t[2]));
 }
 

@@ -140,9 +140,9 @@ int main(int argc, char** argv) {
     logs += std::log(theirs / ours);
     ++count;
     fmt::print(
-        "  {:<30}{:7} sites {:9.3f} ms an offset   Clipper {:9.3f} ms {:7.1f} times   areas differ by {:.2f} of the "
-        "tolerance   diagram {:8.1f} ms, {:5.2f} times Boost.Polygon\n",
-        outline.name, diagram.stats().sites, 1e3 * ours / distances, 1e3 * theirs / distances, theirs / ours, farthest,
+        "  {:<30}{:6} sites; offset {:8.3f} ms, Clipper: {:6.1f} times ({:.3f} ms), areas apart {:.2f} tolerances; "
+        "diagram {:6.1f} ms, Boost.Polygon: {:.2f} times\n",
+        outline.name, diagram.stats().sites, 1e3 * ours / distances, theirs / ours, 1e3 * theirs / distances, farthest,
         1e3 * seconds, seconds / boost);
   }
   if (count > 1) fmt::print("  geometric mean {:.1f} times Clipper\n", std::exp(logs / count));

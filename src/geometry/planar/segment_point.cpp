@@ -35,10 +35,9 @@ Vec2 middleOf(const Segment& segment) {
 }
 
 double distanceTo(const Segment& segment, const Vec2& p) {
-  const double toEnds = std::min((startPoint(segment) - p).norm(), (endPoint(segment) - p).norm());
   const auto* line = std::get_if<Line2>(&segment);
-  const auto across = line ? distanceAcross(*line, p) : distanceAcross(std::get<Arc2>(segment), p);
-  return across.value_or(toEnds);
+  if (const auto across = line ? distanceAcross(*line, p) : distanceAcross(std::get<Arc2>(segment), p)) return *across;
+  return std::min((startPoint(segment) - p).norm(), (endPoint(segment) - p).norm());
 }
 
 }  // namespace blossom

@@ -1,8 +1,10 @@
 #include "kernel/medial/true_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "geometry/planar/planar.h"
 
@@ -14,9 +16,9 @@ namespace {
 constexpr double maximumTurn = 0.3;
 constexpr int deepestHalving = 24;
 
-TrueCurve::Frame frameOf(const BezierPiece& poles, double t) {
-  BezierPiece row = poles;
-  const auto degree = static_cast<int>(poles.size()) - 1;
+/// By de Casteljau's algorithm. @param row of as many poles as there are, changed
+TrueCurve::Frame frameOf(std::span<Vec3> row, double t) {
+  const auto degree = static_cast<int>(row.size()) - 1;
   Vec3 first = Vec3::Zero();
   Vec3 second = Vec3::Zero();
   for (int level = degree; level > 0; --level) {
@@ -31,6 +33,18 @@ TrueCurve::Frame frameOf(const BezierPiece& poles, double t) {
   const Vec2 point = row[0].head<2>() / w;
   const Vec2 derivative = (first.head<2>() - first.z() * point) / w;
   return {point, derivative, (second.head<2>() - 2 * first.z() * derivative - second.z() * point) / w};
+}
+
+/// Asked some ten times for each chord of a drawing: usual degrees need no memory of their own.
+TrueCurve::Frame frameOf(const BezierPiece& poles, double t) {
+  constexpr std::size_t usual = 8;
+  if (poles.size() > usual) {
+    BezierPiece row = poles;
+    return frameOf(std::span(row), t);
+  }
+  std::array<Vec3, usual> row;
+  std::copy(poles.begin(), poles.end(), row.begin());
+  return frameOf(std::span(row.data(), poles.size()), t);
 }
 
 double polygonLengthOf(const BezierPiece& piece) {
@@ -121,19 +135,13 @@ TrueCurve::Frame TrueCurve::at(double t) const {
   return frameOf(std::get<BezierPiece>(value_), t);
 }
 
-Vec2 TrueCurve::tangent(double t) const {
-  const Vec2 first = at(t).first;
-  const double speed = first.norm();
-  if (speed > 1e-9 * length_) return first / speed;
-  const double inside = t < 0.5 ? t + 1e-4 : t - 1e-4;
-  const Vec2 limit = at(inside).first;
-  return limit.norm() > 0 ? Vec2(limit.normalized()) : Vec2(1, 0);
-}
-
-double TrueCurve::curvature(double t) const {
+TrueCurve::Place TrueCurve::placeAt(double t) const {
   const Frame f = at(t);
   const double speed = f.first.norm();
-  return speed > 1e-9 * length_ ? cross(f.first, f.second) / (speed * speed * speed) : 0;
+  if (speed > 1e-9 * length_) return {f.point, f.first / speed, cross(f.first, f.second) / (speed * speed * speed)};
+  const double inside = t < 0.5 ? t + 1e-4 : t - 1e-4;
+  const Vec2 limit = at(inside).first;
+  return {f.point, limit.norm() > 0 ? Vec2(limit.normalized()) : Vec2(1, 0), 0};
 }
 
 double TrueCurve::foot(const Vec2& x, double guess, double margin) const {

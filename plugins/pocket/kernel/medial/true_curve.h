@@ -20,10 +20,14 @@ class TrueCurve {
   };
   [[nodiscard]] Frame at(double t) const;
   [[nodiscard]] Vec2 point(double t) const { return at(t).point; }
-  /// Unit tangent; at an end where the derivative vanishes, the limit.
-  [[nodiscard]] Vec2 tangent(double t) const;
-  /// 1 / mm, positive when the curve bends to the left; 0 where the derivative vanishes.
-  [[nodiscard]] double curvature(double t) const;
+  struct Place {
+    Vec2 point;
+    Vec2 tangent;          ///< of length 1; at an end where the derivative vanishes, the limit
+    double curvature = 0;  ///< 1 / mm, positive when the curve bends to the left; 0 where the derivative vanishes
+  };
+  [[nodiscard]] Place placeAt(double t) const;
+  [[nodiscard]] Vec2 tangent(double t) const { return placeAt(t).tangent; }
+  [[nodiscard]] double curvature(double t) const { return placeAt(t).curvature; }
 
   /// Parameter of the foot of the perpendicular from `x` found by Newton's iteration from `guess`. It may leave [0, 1] by
   /// `margin`, so that a foot slightly beyond an end because of rounding is accepted.

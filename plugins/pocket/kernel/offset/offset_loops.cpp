@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/planar/segment_point.h"
 #include "kernel/medial/contact.h"
 #include "kernel/offset/arc_fit.h"
 
@@ -13,6 +14,7 @@ namespace blossom::pocket {
 namespace {
 
 constexpr double turnOnce = 2 * std::numbers::pi;
+constexpr double shareOfArcs = 0.4;  // of the tolerance: half of it goes to the points that arcs pass by
 
 Vec2 toTheLeft(const Vec2& v) { return {-v.y(), v.x()}; }
 
@@ -101,6 +103,14 @@ class LoopMaker {
     return std::abs(boundary_.nearest(x).distance - o_.distance) <= o_.tolerance / 16;
   }
 
+  /// Whether x, at the distance from a place of the boundary, is so near to a line traced by the diagram that it can be
+  /// nowhere nearer to the boundary by more than half the tolerance: no chord is nearer to that line than the distance, and
+  /// no curve by more than a chord's error, a quarter of the tolerance. Arcs through such points take most of the other
+  /// half.
+  [[nodiscard]] bool isBeside(const Vec2& x, const TracedPiece& traced) const {
+    return distanceTo(Segment(Line2{traced.from, traced.to}), x) <= o_.tolerance / 4;
+  }
+
   /// Where run ends and the next begins, on the true curves; as the chords have it when that cannot be told.
   [[nodiscard]] Vec2 jointAfter(std::size_t i) const {
     const auto exact = exactJoint(i);
@@ -177,7 +187,8 @@ class LoopMaker {
       const double turn = of->sweep > 0 ? 1 : -1;
       out.push_back(arc(run, of->center, of->radius - sign_ * turn * o_.distance, turn, from, to));
     } else {
-      for (Segment& segment : fittedArcs(samplesOf(run, from, to), o_.tolerance / 2)) out.push_back(std::move(segment));
+      for (Segment& segment : fittedArcs(samplesOf(run, from, to), shareOfArcs * o_.tolerance))
+        out.push_back(std::move(segment));
     }
   }
 
@@ -198,9 +209,8 @@ class LoopMaker {
     return arcBetween(from, to, sweep);
   }
 
-  [[nodiscard]] TangentPoint exactAt(const TrueCurve& curve, double t) const {
-    const Vec2 tangent = curve.tangent(t);
-    return {curve.point(t) + sign_ * o_.distance * toTheLeft(tangent), tangent};
+  [[nodiscard]] TangentPoint offsetOf(const TrueCurve::Place& place) const {
+    return {place.point + sign_ * o_.distance * toTheLeft(place.tangent), place.tangent};
   }
 
   [[nodiscard]] std::vector<TangentPoint> samplesOf(const Run& run, const Vec2& from, const Vec2& to) const {
@@ -215,25 +225,31 @@ class LoopMaker {
     struct Sample {
       double t;
       TangentPoint rough;
+      const TracedPiece* of;
     };
     std::vector<Sample> places;
+    constexpr std::size_t manyChords = 4;  // two places on each tell the curve
+    const int parts = run.count >= manyChords ? 2 : 4;
     for (std::size_t k = 0; k < run.count; ++k) {
       const TracedPiece& traced = at(run.first + k);
       if (traced.site.isPoint) continue;
       const double a = contactOf(boundary_, traced.site, traced.from).parameter;
       const double b = contactOf(boundary_, traced.site, traced.to).parameter;
       const Vec2 along = pieces_[traced.site.piece].along().normalized();
-      for (int i = 0; i <= 4; ++i)
-        places.push_back({a + i * (b - a) / 4, {traced.from + i * (traced.to - traced.from) / 4, along}});
+      for (int i = 0; i < parts; ++i) {
+        const double share = (i + 0.5) / parts;
+        places.push_back({a + share * (b - a), {traced.from + share * (traced.to - traced.from), along}, &traced});
+      }
     }
     std::sort(places.begin(), places.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
-    std::vector<TangentPoint> samples{{from, exactAt(*run.curve, start).tangent}};
+    std::vector<TangentPoint> samples{{from, run.curve->tangent(start)}};
     const double apart = 1e-2 * boundary_.chord();
     for (const Sample& place : places) {
       if (!(place.t > start && place.t < end)) continue;
-      TangentPoint next = exactAt(*run.curve, place.t);
-      const double speed = 1 - sign_ * o_.distance * run.curve->curvature(place.t);
-      if (speed < 1e-6 || !isAtDistance(next.at)) next = place.rough;
+      const TrueCurve::Place onCurve = run.curve->placeAt(place.t);
+      TangentPoint next = offsetOf(onCurve);
+      const double speed = 1 - sign_ * o_.distance * onCurve.curvature;
+      if (speed < 1e-6 || !(isBeside(next.at, *place.of) || isAtDistance(next.at))) next = place.rough;
       // Rough samples lie beside exact ones also along the curve: none may lead back.
       if ((next.at - samples.back().at).dot(next.tangent) > apart) samples.push_back(next);
     }
@@ -243,7 +259,7 @@ class LoopMaker {
       return rest.norm() < near && rest.dot(last.tangent) <= apart;
     };
     while (samples.size() > 1 && isPastEnd(samples.back())) samples.pop_back();
-    samples.push_back({to, exactAt(*run.curve, end).tangent});
+    samples.push_back({to, run.curve->tangent(end)});
     return samples;
   }
 

@@ -2,6 +2,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "morphology/kernel/collapsed.h"
 #include "morphology/kernel/finished.h"
+#include "support/exchange.h"
 #include "support/morphology.h"
 #include "support/solid_peer.h"
 #include "support/support.h"
@@ -219,6 +220,21 @@ class MorphologyRoundingTest : public QObject {
         VERIFY_ERROR(solidSum(bodyOf(both), bodyOf(point)), ErrorCode::InvalidInput);
       }
     }
+  }
+
+  // A closing left steps of 1e-13 mm in a corner, which on any grid fall into faces without area: nearly one, they are made
+  // one.
+  void stepsOfRoundingInAnOperandAreMadeOne() {
+    const Mesh given = *readShape(formats(), sourceFolder() / "tests/fixtures/nearly_closed_corner.off").shape.get<Mesh>();
+    const Mesh element = scaledBy(
+        turnedBy(cuboid({0, 0, 0}, {1, 2, 3}), Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix()), 0.1);
+    const MorphologyResult made = solidSum(bodyOf(given), bodyOf(element));
+    QVERIFY(!firstCrossing(made.solids.front()));
+    const Mesh block = prism({{0, 0}, {3.6, 0}, {3.6, 3.6}, {0, 3.6}}, 0, 1.8);
+    QVERIFY(volumeOf(made.solids.front()) > volumeOf(given) &&
+            volumeOf(made.solids.front()) < volumeOf(solidSumOf(block, element)));
+    QCOMPARE(made.warnings.size(), std::size_t{1});
+    QVERIFY(made.warnings.front().find("has been rounded to") != std::string::npos);
   }
 
   // What doubles hold exactly is not thin, however far it lies from the origin.

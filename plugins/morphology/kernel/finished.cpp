@@ -336,9 +336,17 @@ std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Pr
   const Surface surface{triangles, triangles, meshTopology(triangles, progress), bounds(triangles).diagonal()};
   const Vec3 centre = Vec3::Zero();
   Attempts attempts(centre, progress);
-  auto made = Rounding(centre, attempts, progress).from(surface, std::ilogb(step), 0, mostBits);
-  if (!made) return std::nullopt;
-  return OnGrid{triangulated(made->mesh, progress).first, made->step, made->loss};
+  Rounding rounding(centre, attempts, progress);
+  const auto of = [&](const Rounding::Rounded& made) {
+    return OnGrid{triangulated(made.mesh, progress).first, made.step, made.loss};
+  };
+  if (auto made = rounding.from(surface, std::ilogb(step), 0, fewBits)) return of(*made);
+  // What is nearly one, in a result of our own, falls into shells without area on any grid.
+  if (surface.topology.closed())
+    if (auto made = withNearOnesUnited(surface, step, attempts, progress))
+      return OnGrid{triangulated(made->mesh, progress).first, made->loss.moved, made->loss};
+  if (auto made = rounding.from(surface, std::ilogb(step), fewBits + 2, mostBits)) return of(*made);
+  return std::nullopt;
 }
 
 }  // namespace blossom::morphology

@@ -45,11 +45,12 @@ Finished finished(const Mesh& triangles, const Vec3& centre, Slivers slivers, co
 
 struct OnGrid {
   Mesh triangles;
-  double step = 0;
+  double step = 0;  ///< mm by which corners have moved at most
   RoundingLoss loss;
 };
 /// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^24 times as coarse, that cross
-/// nowhere; corners that come together there are one. Nothing when that fails, or when they are not closed there.
+/// nowhere; corners that come together there are one. Where a few times as coarse is not enough, what is nearly one is made
+/// one first, by less than coarser grids would move it. Nothing when that fails, or when they are not closed there.
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

@@ -235,6 +235,12 @@ class MorphologyRoundingTest : public QObject {
             volumeOf(made.solids.front()) < volumeOf(solidSumOf(block, element)));
     QCOMPARE(made.warnings.size(), std::size_t{1});
     QVERIFY(made.warnings.front().find("has been rounded to") != std::string::npos);
+    // A hollow body with walls as thin as that is not left out in silence.
+    const double wall = 2e-11;
+    const Mesh hollow =
+        together(cuboid({0.5, 0.5, 2.3}, {1.5, 1.5, 3.3}),
+                 insideOut(cuboid(Vec3(0.5, 0.5, 2.3) + Vec3::Constant(wall), Vec3(1.5, 1.5, 3.3) - Vec3::Constant(wall))));
+    VERIFY_ERROR(solidSum(bodyOf(together(given, hollow)), bodyOf(element)), ErrorCode::InvalidInput);
   }
 
   // What doubles hold exactly is not thin, however far it lies from the origin.

@@ -18,6 +18,7 @@
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
 #include "kernel/manifold.h"
+#include "kernel/only_closed.h"
 #include "kernel/plane_triangles.h"
 #include "kernel/self_crossing.h"
 #include "kernel/separated.h"
@@ -341,10 +342,12 @@ std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Pr
     return OnGrid{triangulated(made.mesh, progress).first, made.step, made.loss};
   };
   if (auto made = rounding.from(surface, std::ilogb(step), 0, fewBits)) return of(*made);
-  // What is nearly one, in a result of our own, falls into shells without area on any grid.
+  // What is nearly one, in a result of our own, falls into shells without area on any grid. Whole walls are not made one.
   if (surface.topology.closed())
-    if (auto made = withNearOnesUnited(surface, step, attempts, progress))
-      return OnGrid{triangulated(made->mesh, progress).first, made->loss.moved, made->loss};
+    if (const auto made = withNearOnesUnited(surface, step, attempts, progress)) {
+      const OnGrid united{triangulated(made->mesh, progress).first, made->loss.moved, made->loss};
+      if (isOnlyClosed(triangles, united.triangles, united.step, progress)) return united;
+    }
   if (auto made = rounding.from(surface, std::ilogb(step), fewBits + 2, mostBits)) return of(*made);
   return std::nullopt;
 }

@@ -50,7 +50,7 @@ struct OnGrid {
 };
 /// Triangles of the same solid with corners on the grid of `step`, or on one that is up to 2^24 times as coarse, that cross
 /// nowhere; corners that come together there are one. Where a few times as coarse is not enough, what is nearly one is made
-/// one first, by less than coarser grids would move it. Nothing when that fails, or when they are not closed there.
+/// one first, unless walls would vanish. Nothing when that fails, or when they are not closed there.
 std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

@@ -121,6 +121,10 @@ class MorphologyCgalTest : public QObject {
     const int pairs = pairsAsked();
     for (int pair = 0; pair < pairs; ++pair) {
       const Mesh a = randomSolid(random), b = randomElement(random);
+      if (firstCrossing(a) || firstCrossing(b)) {  // once in a thousand, by the rounding of corners
+        --pair;
+        continue;
+      }
       QVERIFY(a.faceCount() <= 60 && b.faceCount() <= 60);
       const std::optional<Peer> peer = sumByCgal(a, b);
       const Mesh sum = *made("solid-sum", Value::object(), {a, b}).shape.get<Mesh>();

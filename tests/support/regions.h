@@ -26,6 +26,13 @@ inline Path rectanglePath(const Vec2& low, const Vec2& high) {
   return polygonPath({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
 }
 
+/// From one point to another one, turning by the sweep.
+inline Arc2 arcBetween(const Vec2& from, const Vec2& to, double sweep) {
+  const Vec2 half = (to - from) / 2, center = from + half + Vec2(-half.y(), half.x()) / std::tan(sweep / 2);
+  const Vec2 out = from - center;
+  return {center, out.norm(), std::atan2(out.y(), out.x()), sweep};
+}
+
 inline Region rectangleRegion(const Vec2& low, const Vec2& high) { return {{rectanglePath(low, high)}}; }
 
 inline Region circleRegion(double radius, const Vec2& center = Vec2::Zero()) {

@@ -1,9 +1,12 @@
+#include <map>
+
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/polygons/bounding_polyline.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/winding/nesting.h"
 #include "geometry/planar/winding/snap_rounding.h"
 #include "geometry/planar/winding/winding_faces.h"
+#include "support/random.h"
 #include "support/regions.h"
 #include "support/support.h"
 
@@ -11,6 +14,32 @@ using namespace blossom;
 using namespace blossom::test;
 using namespace blossom::planar;
 using std::numbers::pi;
+
+namespace {
+
+/// Without edges between equal corners.
+std::vector<CountedEdge> withoutPoints(std::vector<CountedEdge> edges) {
+  std::erase_if(edges, [](const CountedEdge& edge) { return edge.from == edge.to; });
+  return edges;
+}
+
+bool isBetween(const GridPoint& p, const CountedEdge& edge) {
+  return cross(edge.to - edge.from, p - edge.from) == 0 && dot(p - edge.from, p - edge.to) < 0;
+}
+
+bool meetInEndsOnly(const CountedEdge& e, const CountedEdge& f) {
+  for (const GridPoint& p : {f.from, f.to})
+    if (isBetween(p, e)) return false;
+  for (const GridPoint& p : {e.from, e.to})
+    if (isBetween(p, f)) return false;
+  const auto side = [](const CountedEdge& edge, const GridPoint& p) {
+    const Wide turn = cross(edge.to - edge.from, p - edge.from);
+    return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+  };
+  return (e.from == f.from && e.to == f.to) || side(e, f.from) * side(e, f.to) >= 0 || side(f, e.from) * side(f, e.to) >= 0;
+}
+
+}  // namespace
 
 /// What is done to outlines before and after a sum: drawn in chords, rounded, nested, cleared of crumbs.
 class MinkowskiLoopsTest : public QObject {
@@ -88,6 +117,28 @@ class MinkowskiLoopsTest : public QObject {
     QVERIFY(!misplacedFace(edgesOf(plain), 0));
     const double spike = 1.25 * 1.25 + 0.25;  // the square, and the spike without width, both as wide as the small one
     COMPARE_NEAR(areaWith(plain), spike, 1e-4);
+  }
+
+  /// Of loops whose corners are few units apart, so that edges pass several of them: afterwards edges meet in common ends
+  /// only and still are closed loops.
+  void roundingOfCrowdedCornersComesToAnEnd() {
+    auto random = seededRandom();
+    for (int round = 0; round < 3000; ++round) {
+      const int width = uniformInt(random, 1, 6),
+                stretch = round % 3 == 0 ? uniformInt(random, 2, 1000000) : 1;  // flat edges
+      const GridPoint far{uniformInt(random, -1, 1) * (std::int64_t{1} << 43),
+                          uniformInt(random, -1, 1) * std::int64_t{12345}};
+      std::vector<GridPolygon> loops(static_cast<std::size_t>(uniformInt(random, 1, 4)));
+      for (GridPolygon& loop : loops)
+        for (int corner = uniformInt(random, 3, 9); corner > 0; --corner)
+          loop.outer.push_back(far + GridPoint{stretch * uniformInt(random, 0, width), uniformInt(random, 0, width)});
+      const std::vector<CountedEdge> edges = snapRounded(withoutPoints(edgesOf(loops)));
+      std::map<GridPoint, int> balance;
+      for (const CountedEdge& edge : edges) balance[edge.from] += edge.count, balance[edge.to] -= edge.count;
+      for (const auto& [corner, count] : balance) QCOMPARE(count, 0);
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) QVERIFY(meetInEndsOnly(edges[i], edges[j]));
+    }
   }
 
   /// Loops that share corners bound what they should only if they do not cross there.

@@ -3,6 +3,7 @@
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/region_sum.h"
 #include "geometry/planar/sums/set_operations.h"
 #include "support/regions.h"
@@ -10,6 +11,7 @@
 #include "support/support.h"
 
 using namespace blossom;
+using planar::soundRegion;
 using namespace blossom::test;
 using std::numbers::pi;
 
@@ -17,13 +19,10 @@ namespace {
 
 /// Equal arcs one after the other, from one point to another one.
 std::vector<Segment> arcsBetween(const Vec2& from, const Vec2& to, double sweep, int count) {
-  const Vec2 middle = (from + to) / 2, along = to - from;
-  const Vec2 left(-along.y(), along.x());
-  const Vec2 centre = middle + left / (2 * std::tan(sweep / 2));
-  const Vec2 out = from - centre;
+  const Arc2 whole = arcBetween(from, to, sweep);
   std::vector<Segment> arcs;
   for (int k = 0; k < count; ++k)
-    arcs.emplace_back(Arc2{centre, out.norm(), std::atan2(out.y(), out.x()) + k * sweep / count, sweep / count});
+    arcs.emplace_back(Arc2{whole.center, whole.radius, whole.start + k * sweep / count, sweep / count});
   return arcs;
 }
 
@@ -31,6 +30,10 @@ std::vector<Segment> splineBetween(const Vec2& from, const Vec2& to) {
   const Vec2 b = from + Vec2(4, 6), c = to - Vec2(5, 7);
   const auto pole = [](const Vec2& p) { return Vec3(p.x(), p.y(), 1); };
   return {Spline2{3, {0, 0, 0, 0, 1, 1, 1, 1}, {pole(from), pole(b), pole(c), pole(to)}}};
+}
+
+Spline2 splineThrough(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return {3, {0, 0, 0, 0, 1, 1, 1, 1}, {a.homogeneous(), b.homogeneous(), c.homogeneous(), d.homogeneous()}};
 }
 
 void addLines(Path& path, const std::vector<Vec2>& points) {
@@ -193,6 +196,89 @@ class MinkowskiSharedTest : public QObject {
       outline.segments.push_back(reversed(in.front()));
       addLines(outline, {low, {20, 0}, {20, 20}, {0, 20}});
       verifyIsSquare({{outline}}, 1e-9);
+    }
+  }
+
+  /// A slot and the walls beside it, narrow beside the circle of a side that is nearly straight.
+  void shallowArcsLeaveNarrowWalls() {
+    for (const double bow : {0.0, 1e-2, 1e-4, 1e-6, 1e-8}) {
+      Path outline;
+      outline.closed = true;
+      if (bow > 0)
+        outline.segments = arcsBetween({0, 0}, {60, 0}, 8 * bow / 60, 1);
+      else
+        addLines(outline, {{0, 0}, {60, 0}});
+      addLines(outline, {{60, 0}, {60, 0.1}, {5, 0.1}, {5, 0.2}, {60, 0.2}, {60, 0.3}, {0, 0.3}, {0, 0}});
+      COMPARE_NEAR(area(soundRegion({{outline}}, {}, "a").region), 12.5 + 40 * bow, 1e-6);
+      const double moved = area(minkowskiSum(std::vector{Region{{outline}}, rectangleRegion({0, 0}, {0.01, 0.01})}).region);
+      COMPARE_NEAR(moved, 60.01 * 0.31 - 55 * 0.09 + 40.01 * bow, 1e-5);
+    }
+  }
+
+  /// A part of free-form sides that fills a hole, but for a small hole of its own, which lies on the chord of a side.
+  void aHoleOnTheChordOfAFreeSide() {
+    const auto lens = [](double bow) {
+      Path path;
+      path.closed = true;
+      path.segments = {splineThrough({-3, 0}, {-1, -bow}, {1, -bow}, {3, 0}),
+                       splineThrough({3, 0}, {1, bow}, {-1, bow}, {-3, 0})};
+      return path;
+    };
+    const Path island = lens(3);
+    const Region parts{
+        {rectanglePath({-5, -5}, {5, 5}), reversed(island), island, reversed(rectanglePath({-0.1, -0.1}, {0.1, 0.1}))}};
+    COMPARE_NEAR(area(soundRegion(parts, {}, "a").region), 100 - 0.04, 1e-9);
+  }
+
+  /// A side that is nearly straight, on a circle of up to a hundred million kilometres.
+  void circlesFarLargerThanTheShape() {
+    for (double bow = 1e-3; bow > 1e-10; bow /= 10) {
+      const double rounding = 1e-13 / bow;  // of places on such a circle
+      const auto summed = [](const Segment& side) {
+        Path notched;
+        notched.closed = true;
+        notched.segments = {side};
+        addLines(notched, {{0, 0}, {4, 3}, {8, 0}, {8, 10}, {0, 10}});
+        return area(minkowskiSum(std::vector{Region{{notched}}, circleRegion(1.7)}).region);
+      };
+      const double straight = summed(Line2{{0, 10}, {0, 0}});
+      COMPARE_NEAR(summed(arcBetween({0, 10}, {0, 0}, 8 * bow / 10)), straight, 10 * bow + rounding + 1e-6);
+      Path thin;
+      thin.closed = true;
+      thin.segments = {arcBetween({0, 0}, {1, 0}, 8e-3 * bow)};
+      addLines(thin, {{1, 0}, {1, 1e-3}, {0, 1e-3}, {0, 0}});
+      const SoundRegion sound = soundRegion({{thin}}, {}, "a");
+      QCOMPARE(sound.region.loops.front().segments.size(), std::size_t{4});
+      COMPARE_NEAR(area(sound.region), 1e-3 + 2e-3 / 3 * bow, rounding + 1e-9);
+      const Path open{{arcBetween({0, 0}, {1, 0}, 8 * bow)}, false, {}, {}};
+      QCOMPARE(planar::soundSet({{}, {open}, {}}, {}, "a").curves.size(), std::size_t{1});
+    }
+  }
+
+  /// Convex outlines with sides that hardly bend, and discs one after the other: each sum can be summed again.
+  void sumsOfConvexShallowSides() {
+    std::mt19937_64 random = seededRandom();
+    for (int round = 0; round < 200; ++round) {
+      const int corners = uniformInt(random, 3, 8);
+      const double size = std::pow(10, uniform(random, -1, 2)), turn = uniform(random, 0, 6);
+      Path outline;
+      outline.closed = true;
+      for (int k = 0; k < corners; ++k) {
+        const auto corner = [&](int i) {
+          const double angle = turn + 2 * pi * i / corners;
+          return Vec2(size * std::cos(angle), size * std::sin(angle));
+        };
+        if (uniformInt(random, 0, 2) == 0)
+          outline.segments.emplace_back(Line2{corner(k), corner(k + 1)});
+        else
+          outline.segments.emplace_back(arcBetween(corner(k), corner(k + 1), 4 * std::pow(10, uniform(random, -8, -1.2))));
+      }
+      const double first = size * uniform(random, 0.01, 1), second = size * uniform(random, 0.01, 1), both = first + second;
+      const Region once = minkowskiSum(std::vector{Region{{outline}}, circleRegion(first)}).region;
+      const Region twice = minkowskiSum(std::vector{once, circleRegion(second)}).region;
+      const double expected = signedArea(outline) + both * length(outline) + pi * both * both;
+      COMPARE_NEAR(area(twice), expected, 1e-6 * expected);
+      for (const Segment& segment : once.loops.front().segments) QVERIFY(length(segment) > 1e-11 * size);
     }
   }
 

@@ -273,9 +273,9 @@ class MinkowskiSumTest : public QObject {
     try {
       (void)sumWithin(0.01);
     } catch (const Error& error) {
-      QCOMPARE(QString::fromStdString(error.hint()), QString("Give a tolerance of at most 0.0002 mm, or none."));
+      QCOMPARE(QString::fromStdString(error.hint()), QString("Give a tolerance of at most 0.00019 mm, or none."));
     }
-    COMPARE_NEAR(area(sumWithin(0.0002).region), 1 + 4e-3 + pi * 1e-6, 4e-4);
+    COMPARE_NEAR(area(sumWithin(0.00019).region), 1 + 4e-3 + pi * 1e-6, 4e-4);
     // Straight edges are drawn as they are.
     COMPARE_NEAR(area(minkowskiSum(std::vector(2, rectangleRegion({0, 0}, {1e-3, 1e-3})), {.tolerance = 1}).region), 4e-6,
                  1e-12);

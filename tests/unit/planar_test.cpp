@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/outline_crossing.h"
@@ -104,6 +105,19 @@ class PlanarTest : public QObject {
     COMPARE_NEAR(signedArea(roundLoop({3, -4}, 2.5, -2 * pi)), -pi * 6.25, 1e-13);
   }
   void farAwayNothingIsLost() { COMPARE_NEAR(signedArea(roundLoop({1e6, 1e6}, 1)), pi, 1e-9); }
+  /// Between an arc and its chord, which is about 10: r^2 (s - sin s) / 2.
+  void shallowArcsKeepTheirArea() {
+    for (double sweep = 0.2; sweep > 1e-9; sweep /= 3) {
+      const Arc2 arc{{3, -1}, 10 / sweep, 0.7, sweep};
+      Path loop;
+      loop.closed = true;
+      loop.segments = {arc, Line2{endPoint(arc), startPoint(arc)}};
+      const double expected = 100 * sweep / 12 * (1 - sweep * sweep / 20);
+      COMPARE_NEAR(signedArea(loop), expected, expected * (std::pow(sweep, 4) / 500 + 1e-12));
+      COMPARE_NEAR(signedArea(reversed(loop)), -expected, expected * (std::pow(sweep, 4) / 500 + 1e-12));
+    }
+  }
+
   void slotOfLinesAndArcs() {
     const double r = 2, l = 10;
     const Path slot{
@@ -277,6 +291,67 @@ class PlanarTest : public QObject {
                                    polygonPath({{0, 0}, {10, 0}, {10, 10}, {9.99, 10}, {9.99, 0.01}, {0, 0.01}})};
     for (const Path& path : shapes) QVERIFY(windingNumber(path, interiorPoint(path)) != 0);
     VERIFY_ERROR(interiorPoint(polygonPath({{0, 0}, {1, 0}})), ErrorCode::Degenerate);
+  }
+  /// Two squares that meet in a corner at half the height, some sides bowed: rounding makes several corners of it.
+  void pathsThatPassACornerTwiceHaveAnInterior() {
+    auto random = seededRandom();
+    const std::vector<Vec2> corners{{2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}, {1, 1}, {1, 0}, {2, 0}};
+    const std::set<std::size_t> bowed{0, 2, 5, 7};
+    for (int round = 0; round < 500; ++round) {
+      const double size = uniform(random, 1, 3);
+      Path path;
+      path.closed = true;
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec2 from = size * corners[k], to = size * corners[(k + 1) % corners.size()];
+        if (bowed.contains(k))
+          path.segments.emplace_back(arcBetween(from, to, uniform(random, 0.05, 0.4) * (uniformInt(random, 0, 1) ? 1 : -1)));
+        else
+          path.segments.emplace_back(Line2{from, to});
+      }
+      QCOMPARE(windingNumber(path, interiorPoint(path)), 1);
+      QCOMPARE(components({{path}}).size(), std::size_t{1});
+    }
+  }
+  /// Places on the curves themselves: whatever is told of them, it is told at once.
+  void windingNumbersOfShallowArcs() {
+    for (double sweep = 1e-3; sweep > 1e-12; sweep /= 3) {
+      const Arc2 arc{{3, -1}, 10 / sweep, 0.7, sweep};
+      Path loop;
+      loop.closed = true;
+      loop.segments = {arc, Line2{endPoint(arc), startPoint(arc)}};
+      for (const double share : {0.3, 0.5, 0.77}) {
+        const double angle = arc.start + share * sweep;
+        (void)windingNumber(loop, arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle)));
+      }
+    }
+  }
+  /// Lines drawn there and back enclose nothing, however they are rounded.
+  void linesThereAndBackBoundNothing() {
+    auto random = seededRandom();
+    for (int round = 0; round < 300; ++round) {
+      std::vector<Vec2> corners(static_cast<std::size_t>(uniformInt(random, 2, 30)));
+      for (Vec2& corner : corners) corner = Vec2(uniform(random, -20, 20), uniform(random, -20, 20));
+      for (std::size_t k = corners.size() - 1; k > 1; --k) corners.push_back(corners[k - 1]);
+      const Region region = toRegion(Curves{{polygonPath(corners), squarePath({50, 50}, 1)}, FillRule::NonZero});
+      QCOMPARE(region.loops.size(), std::size_t{1});
+    }
+  }
+  /// Most of a disc, and in it a hole that goes on as an island in the part that the disc leaves out.
+  void holesThatTouchIslandsLieInTheirOutline() {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double by = quarter * pi / 2;
+      const auto at = [&](double radius, double degrees) {
+        return Vec2(radius * std::cos(degrees * pi / 180 + by), radius * std::sin(degrees * pi / 180 + by));
+      };
+      const Arc2 round{{0, 0}, 20, 4 * pi / 3 + by, 4 * pi / 3};
+      Path outline;
+      outline.closed = true;
+      outline.segments = {Line2{{0, 0}, startPoint(round)}, round, Line2{endPoint(round), {0, 0}}};
+      const Path hole = polygonPath({{0, 0}, at(18, 7), at(18, -7), {0, 0}, at(5, 130), at(5, 230)});
+      const auto parts = components({{outline, hole}});
+      QCOMPARE(parts.size(), std::size_t{1});
+      QCOMPARE(parts[0].holes, (std::vector<std::size_t>{1}));
+    }
   }
   void nestedLoopsAlternateByEvenOdd() {
     Curves curves{{}, FillRule::EvenOdd};

@@ -50,11 +50,19 @@ double splineLength(const Spline2& spline) {
 /// Twice the area between the segment and the reference point.
 double sector(const Line2& line, const Vec2& reference) { return cross(line.from - reference, line.to - reference); }
 
+/// x - sin x, by its series where the difference would lose digits.
+double lessItsSine(double x) {
+  if (std::abs(x) > 1) return x - std::sin(x);
+  constexpr int last = 19;  // the terms after it are below 1e-19 of the first one
+  double term = x * x * x / 6, sum = term;
+  for (int power = 5; power <= last; power += 2) sum += term *= -x * x / (power * (power - 1));
+  return sum;
+}
+
+/// By the chord and what lies beyond it: a shallow arc has its centre far away.
 double sector(const Arc2& arc, const Vec2& reference) {
-  const double end = arc.start + arc.sweep;
-  const Vec2 offset = arc.center - reference;
-  return arc.radius * (arc.radius * arc.sweep + offset.x() * (std::sin(end) - std::sin(arc.start)) -
-                       offset.y() * (std::cos(end) - std::cos(arc.start)));
+  const Vec2 from = onCircle(arc, arc.start), to = onCircle(arc, arc.start + arc.sweep);
+  return cross(from - reference, to - reference) + arc.radius * arc.radius * lessItsSine(arc.sweep);
 }
 
 double sector(const Spline2& spline, const Vec2& reference) {

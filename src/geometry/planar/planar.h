@@ -49,8 +49,9 @@ Curves joined(const Curves&, const Tolerance& = {});
 /// Winding number of a closed path around a point, counter-clockwise positive. Exact geometry: lines, arcs and splines are
 /// subdivided only near the point. Undefined for points on the path.
 int windingNumber(const Path&, const Vec2& point);
-/// A point inside a closed path without self-crossings, away from the path. @throws Error Degenerate when the path encloses
-/// nothing.
+/// A point inside a closed path that does not cross itself, away from the path. Where it touches itself, in what it turns
+/// around as its signed area does: a hole that touches an island in a corner, in one path, is mostly hole. @throws Error
+/// Degenerate when the path encloses nothing.
 Vec2 interiorPoint(const Path&);
 
 /// The region enclosed by closed paths under their fill rule. Open paths are joined first. Loops must not cross.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
@@ -28,6 +31,9 @@ int crossing(const Vec2& a, const Vec2& b, const Vec2& q) {
 
 int crossings(const Line2& line, const Vec2& q) { return crossing(line.from, line.to, q); }
 
+/// Of points that are computed from numbers so far away. Halves of shorter pieces need not lie in them.
+double roundingAt(double farthest) { return 8 * std::numeric_limits<double>::epsilon() * farthest; }
+
 int crossings(const BezierPiece& piece, const Vec2& q, int depth) {
   Vec2 low = euclidean(piece.front());
   Vec2 high = low;
@@ -36,7 +42,9 @@ int crossings(const BezierPiece& piece, const Vec2& q, int depth) {
     high = high.cwiseMax(euclidean(pole));
   }
   const bool outside = (q.array() < low.array()).any() || (q.array() > high.array()).any();
-  if (outside || depth == 0) return crossing(euclidean(piece.front()), euclidean(piece.back()), q);
+  const double rounding = roundingAt(low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff());
+  if (outside || depth == 0 || (high - low).maxCoeff() <= rounding)
+    return crossing(euclidean(piece.front()), euclidean(piece.back()), q);
   const auto [left, right] = halves(piece);
   return crossings(left, q, depth - 1) + crossings(right, q, depth - 1);
 }
@@ -58,7 +66,8 @@ int crossings(const Arc2& arc, const ArcPiece& piece, const Vec2& q, int depth) 
     const double half = (piece.start - piece.end).norm() / 2;
     const bool outside =
         (q - (piece.start + piece.end) / 2).squaredNorm() > half * half;  // this disc contains an arc of up to a half circle
-    if (outside || depth == 0) return crossing(piece.start, piece.end, q);
+    const double rounding = roundingAt(arc.center.cwiseAbs().maxCoeff() + arc.radius);
+    if (outside || depth == 0 || half <= rounding) return crossing(piece.start, piece.end, q);
   }
   const double middle = (piece.from + piece.to) / 2;
   const Vec2 point = arc.center + arc.radius * Vec2(std::cos(middle), std::sin(middle));
@@ -70,13 +79,16 @@ int crossings(const Arc2& arc, const Vec2& q) {
   return crossings(arc, {arc.start, arc.start + arc.sweep, startPoint(Segment(arc)), endPoint(Segment(arc))}, q, deepest);
 }
 
-struct Interval {
-  double from = 0, to = 0;
+/// A stretch of a horizontal line.
+struct Stretch {
+  double from = 0, to = 0, y = 0;
   [[nodiscard]] double width() const { return to - from; }
+  [[nodiscard]] Vec2 middle() const { return {(from + to) / 2, y}; }
 };
 
-/// The widest stretch of the level y inside the polygon.
-Interval widestInside(const std::vector<Vec2>& polygon, double y) {
+/// The stretches of the level y inside the polygon; none where a corner is as near to the level as that.
+void addStretchesInside(const std::vector<Vec2>& polygon, double y, double near, std::vector<Stretch>& stretches) {
+  if (std::any_of(polygon.begin(), polygon.end(), [&](const Vec2& p) { return std::abs(p.y() - y) < near; })) return;
   std::vector<double> places;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& a = polygon[i];
@@ -84,28 +96,8 @@ Interval widestInside(const std::vector<Vec2>& polygon, double y) {
     if ((a.y() <= y) != (b.y() <= y)) places.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
   }
   std::sort(places.begin(), places.end());
-  Interval best;
   for (std::size_t i = 0; i + 1 < places.size(); i += 2)
-    if (const Interval next{places[i], places[i + 1]}; next.width() > best.width()) best = next;
-  return best;
-}
-
-Vec2 interiorPoint(const std::vector<Vec2>& polygon) {
-  const auto [lowest, highest] =
-      std::minmax_element(polygon.begin(), polygon.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  constexpr int levels = 15;
-  Interval best;
-  double bestY = 0;
-  for (int i = 0; i < levels; ++i) {
-    // Steps by the golden ratio rarely meet the vertices of regular drawings.
-    const double fraction = std::fmod(0.5 + i / std::numbers::phi, 1.0);
-    const double y = lowest->y() + (highest->y() - lowest->y()) * fraction;
-    const Interval inside = widestInside(polygon, y);
-    if (inside.width() <= best.width()) continue;
-    best = inside;
-    bestY = y;
-  }
-  return {(best.from + best.to) / 2, bestY};
+    if (places[i] < places[i + 1]) stretches.push_back({places[i], places[i + 1], y});
 }
 
 double extent(const std::vector<Vec2>& polygon) {
@@ -116,6 +108,37 @@ double extent(const std::vector<Vec2>& polygon) {
     high = high.cwiseMax(p);
   }
   return (high - low).norm();
+}
+
+/// Between the way there and back along one line, rounding makes stretches that are no wider.
+double widthOfRounding(const std::vector<Vec2>& polygon, double height) {
+  double farthest = 0;
+  for (const Vec2& p : polygon) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return 2 * roundingAt(farthest) * extent(polygon) / height;
+}
+
+/// On levels that are spread over a polygon, the widest first. Levels that pass corners are left out: rounding makes
+/// stretches along the sides that lie on them.
+std::vector<Stretch> stretchesInside(const std::vector<Vec2>& polygon) {
+  const auto [lowest, highest] =
+      std::minmax_element(polygon.begin(), polygon.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  constexpr int levels = 15;
+  const double height = highest->y() - lowest->y();
+  std::vector<Stretch> stretches;
+  if (!(height > 0)) return stretches;
+  for (const double near : {1e-9 * height, 0.0}) {
+    if (!stretches.empty()) break;
+    for (int i = 0; i < levels; ++i) {
+      // Steps by the golden ratio rarely meet the vertices of regular drawings.
+      const double fraction = std::fmod(0.5 + i / std::numbers::phi, 1.0);
+      addStretchesInside(polygon, lowest->y() + height * fraction, near, stretches);
+    }
+  }
+  std::erase_if(stretches,
+                [least = widthOfRounding(polygon, height)](const Stretch& stretch) { return stretch.width() <= least; });
+  std::stable_sort(stretches.begin(), stretches.end(),
+                   [](const Stretch& a, const Stretch& b) { return a.width() > b.width(); });
+  return stretches;
 }
 
 }  // namespace
@@ -138,12 +161,18 @@ int windingNumber(const Path& path, const Vec2& point) {
 
 Vec2 interiorPoint(const Path& path) {
   if (!path.segments.empty()) {
-    double chord = std::max(std::sqrt(std::abs(signedArea(path))) / 100, 1e-5 * length(path));
+    const double area = signedArea(path);
+    double chord = std::max(std::sqrt(std::abs(area)) / 100, 1e-5 * length(path));
     for (int attempt = 0; attempt < 4 && chord > 0; ++attempt, chord /= 16) {
       const std::vector<Vec2> polygon = flatten(path, chord);
       if (polygon.size() < 2 || !(extent(polygon) > 0)) continue;
-      Vec2 candidate = interiorPoint(polygon);
-      if (windingNumber(path, candidate) != 0) return candidate;
+      std::optional<Vec2> other;
+      for (const Stretch& stretch : stretchesInside(polygon)) {
+        const int winding = windingNumber(path, stretch.middle());
+        if (winding * area > 0) return stretch.middle();
+        if (winding != 0 && !other) other = stretch.middle();
+      }
+      if (other) return *other;
     }
   }
   std::string place;

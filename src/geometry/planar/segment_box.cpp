@@ -30,4 +30,11 @@ Box2 boxAround(const Segment& segment) {
   return box;
 }
 
+Box2 boxAround(std::span<const Path> paths) {
+  Box2 box;
+  for (const Path& path : paths)
+    for (const Segment& segment : path.segments) box.extend(boxAround(segment));
+  return box;
+}
+
 }  // namespace blossom

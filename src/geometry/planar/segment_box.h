@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "geometry/numeric/boxes.h"
 #include "geometry/planar/region.h"
 
@@ -6,5 +8,6 @@ namespace blossom {
 
 /// The least box around a line or an arc, up to rounding; around the poles of a spline.
 Box2 boxAround(const Segment&);
+Box2 boxAround(std::span<const Path>);
 
 }  // namespace blossom

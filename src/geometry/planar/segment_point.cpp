@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/bspline/bspline.h"
 #include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 
@@ -31,6 +32,8 @@ Vec2 middleOf(const Segment& segment) {
     const double angle = arc->start + arc->sweep / 2;
     return arc->center + arc->radius * Vec2(std::cos(angle), std::sin(angle));
   }
+  if (const auto* spline = std::get_if<Spline2>(&segment))
+    return point(toCurve(*spline), (spline->knots.front() + spline->knots.back()) / 2).head<2>();
   return (startPoint(segment) + endPoint(segment)) / 2;
 }
 

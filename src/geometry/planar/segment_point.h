@@ -4,7 +4,7 @@
 /// Points of a segment and beside it; for many points see boundary_tree.h.
 namespace blossom {
 
-/// Halfway along a line or an arc. @pre not a spline
+/// Halfway along a line or an arc; of a spline, halfway between its knots.
 Vec2 middleOf(const Segment&);
 /// Of a point from a line or an arc. @pre not a spline
 double distanceTo(const Segment&, const Vec2&);

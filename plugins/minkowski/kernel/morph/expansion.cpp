@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/convex_hull.h"
 #include "kernel/hull_distance.h"
 #include "kernel/morph/point_shape.h"
@@ -31,7 +32,7 @@ bool makeVeryManyCorners(const std::vector<SoundRegion>& terms) {
 
 /// So the dents of small shapes are filled before larger ones multiply them.
 void smallestFirst(std::vector<SoundRegion>& terms) {
-  const auto size = [](const SoundRegion& term) { return looseBox(term.region.loops).sizes().norm(); };
+  const auto size = [](const SoundRegion& term) { return boxAround(term.region.loops).sizes().norm(); };
   std::stable_sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
 }
 

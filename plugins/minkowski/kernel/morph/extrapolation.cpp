@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "geometry/planar/boundary_tree.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/segment_point.h"
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
@@ -65,7 +66,7 @@ SignedTerms termsAt(std::span<const double> t, std::span<const SoundRegion> shap
   return terms;
 }
 
-double sizeOf(const SoundRegion& shape) { return looseBox(shape.region.loops).sizes().norm(); }
+double sizeOf(const SoundRegion& shape) { return boxAround(shape.region.loops).sizes().norm(); }
 
 /// Of sums of a shape.
 double roundingOf(const SoundRegion& shape) { return std::ldexp(sizeOf(shape), -35); }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/single_point.h"
 
 namespace blossom::minkowski {
@@ -37,7 +38,7 @@ Region PointPlaces::moved(Region made, std::span<const double> shares) const {
   for (std::size_t i = 0; i < shares.size(); ++i) by += shares[i] * places_[i];
   // Corners of what is smaller have no places apart.
   constexpr double share = 0x1p-40;
-  if (made.loops.empty() || looseBox(made.loops).sizes().maxCoeff() < share * std::max(1.0, by.cwiseAbs().maxCoeff()))
+  if (made.loops.empty() || boxAround(made.loops).sizes().maxCoeff() < share * std::max(1.0, by.cwiseAbs().maxCoeff()))
     return pointRegion(by);
   return translated(SoundRegion{std::move(made)}, by).region;
 }

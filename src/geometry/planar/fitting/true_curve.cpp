@@ -50,10 +50,11 @@ Meetings meet(const Circle& a, const Circle& b, double touching) {
   const Vec2 along = between / distance;
   const bool outside = std::abs(distance - (a.radius + b.radius)) <= touching;
   const bool inside = std::abs(distance - (a.radius - b.radius)) <= touching && distance > touching;
-  if (outside || inside) return oneOrTwo(a.centre + a.radius * along, leftOf(along), 0, true);
-  // From a's centre to the common chord, whose half is the height of a triangle with sides a, b and the distance (Heron).
-  const double reach = ((a.radius - b.radius) * (a.radius + b.radius) / distance + distance) / 2;
-  return oneOrTwo(a.centre + reach * along, leftOf(along), (a.radius - reach) * (a.radius + reach), false);
+  if (outside || inside) return oneOrTwo(b.centre + (inside ? 1 : -1) * b.radius * along, leftOf(along), 0, true);
+  // From the centre of the smaller one, which is told better, to the common chord, whose half is the height of a triangle
+  // with sides a, b and the distance (Heron).
+  const double reach = ((distance - a.radius) * (distance + a.radius) + b.radius * b.radius) / (2 * distance);
+  return oneOrTwo(b.centre - reach * along, leftOf(along), (b.radius - reach) * (b.radius + reach), false);
 }
 
 bool same(const StraightCurve& a, const StraightCurve& b, double within) {

@@ -31,6 +31,11 @@ void refuse(ErrorCode code, const std::string& name, const std::string& what, co
   throw Error(code, sentence, remedy);
 }
 
+std::string smallerTolerance(double most) {
+  constexpr double share = 0.95;  // two digits may be 5 % more than the number
+  return fmt::format("Give a tolerance of at most {:.2g} mm, or none.", share * most);
+}
+
 void refuseWhatIsNoNumber(const Path& path, const std::string& pathName, const std::string& name) {
   for (std::size_t i = 0; i < path.segments.size(); ++i)
     if (!isFinite(path.segments[i]))

@@ -14,6 +14,9 @@ std::string at(const Vec2&);
 /// @param name of the shape, which begins the sentence @throws Error
 [[noreturn]] void refuse(ErrorCode, const std::string& name, const std::string& what, const std::string& remedy);
 
+/// The remedy for a tolerance that is too coarse: "Give a tolerance of at most 0.019 mm, or none." for 0.02.
+std::string smallerTolerance(double most);
+
 /// @param path "loop 2" @throws Error InvalidInput
 void refuseWhatIsNoNumber(const Path&, const std::string& path, const std::string& name);
 

@@ -60,6 +60,17 @@ Path closedPath(const Loop& loop) {
   return path;
 }
 
+void extendLoosely(Box2& box, const Segment& segment) {
+  box.extend(startPoint(segment));
+  box.extend(endPoint(segment));
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
+    box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
+  }
+  if (const auto* spline = std::get_if<Spline2>(&segment))
+    for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
+}
+
 }  // namespace
 
 bool hasCurves(const Region& region) {
@@ -93,17 +104,6 @@ bool isConvex(const SoundRegion& shape) {
     if (turn < -rounding || (turn <= rounding && in.dot(out) < 0)) return false;  // also a cusp
   }
   return true;
-}
-
-void extendLoosely(Box2& box, const Segment& segment) {
-  box.extend(startPoint(segment));
-  box.extend(endPoint(segment));
-  if (const auto* arc = std::get_if<Arc2>(&segment)) {
-    box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
-    box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
-  }
-  if (const auto* spline = std::get_if<Spline2>(&segment))
-    for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
 }
 
 Box2 looseBox(std::span<const Path> paths) {

@@ -31,7 +31,6 @@ SoundRegion translated(const SoundRegion&, const Vec2& by);
 bool isConvex(const SoundRegion&);
 
 /// Around segments: the circles of arcs and the poles of splines lie in it.
-void extendLoosely(Box2&, const Segment&);
 Box2 looseBox(std::span<const Path>);
 
 /// The polygons of a region of lines. @pre no curves

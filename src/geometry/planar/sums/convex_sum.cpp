@@ -6,6 +6,7 @@
 
 #include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_box.h"
 
 namespace blossom::planar {
 namespace {
@@ -27,6 +28,7 @@ class Fans {
     for (const Segment& segment : path.segments) {
       progress.check();
       if (const auto* arc = std::get_if<Arc2>(&segment)) {
+        endAt(arc->start);
         add(arc->start, arc->center, arc->radius);
         if (path.segments.size() > 1) fans_.push_back({fans_.back().from + arc->sweep, endPoint(segment), 0});
       } else {
@@ -60,6 +62,13 @@ class Fans {
     }
     const double before = fans_.back().from;
     fans_.push_back({before + std::max(0.0, std::remainder(angle - before, fullTurn)), centre, radius});
+  }
+
+  /// The angles of arcs are known better than those of lines before them, which may come out behind.
+  void endAt(double angle) {
+    if (fans_.empty()) return;
+    const double last = fans_.back().from + std::remainder(angle - fans_.back().from, fullTurn);
+    for (auto fan = fans_.rbegin(); fan != fans_.rend() && fan->from > last; ++fan) fan->from = last;
   }
 
   std::vector<Fan> fans_;
@@ -121,11 +130,17 @@ bool isGoneOn(Segment& segment, const Line2& next, double rounding) {
   return true;
 }
 
+/// Of what is drawn, wherever the centres of shallow arcs are.
+double mostRounding(const Region& region) {
+  const Box2 box = boxAround(region.loops);
+  return 1e-15 * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() + 1e-9 * box.sizes().maxCoeff();
+}
+
 }  // namespace
 
 Region convexSum(const Region& a, const Region& b, const Progress& progress) {
   const Fans fansA(a.loops.front(), progress), fansB(b.loops.front(), progress);
-  const double rounding = 1e-15 * (fansA.reach() + fansB.reach());
+  const double rounding = std::min(1e-15 * (fansA.reach() + fansB.reach()), mostRounding(a) + mostRounding(b));
   const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB, rounding, progress);
   Region result;
   Path& path = result.loops.emplace_back();

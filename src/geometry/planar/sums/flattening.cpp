@@ -110,7 +110,7 @@ double toleranceFor(const Region& region, const ShapeExtent& extent, const Flatt
                     at(extent.middle()), extent.size(),
                     byThickness < 0.999 * bySize ? fmt::format(" and {:.3g} mm thick", thicknessOf(region)) : std::string(),
                     *options.tolerance),
-        fmt::format("Give a tolerance of at most {:.2g} mm, or none.", 0.99 * coarsest / options.share));
+        smallerTolerance(coarsest / options.share));
   return tolerance;
 }
 
@@ -210,11 +210,16 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
   return loops.empty() ? Polygons() : Nesting(std::move(loops), progress).polygons(progress);
 }
 
+Region straightened(Region region, double tolerance) {
+  for (Path& loop : region.loops) straighten(loop, tolerance);
+  return region;
+}
+
 /// A region that passed all checks.
 struct CheckedRegion {
   double tolerance;
   Nesting nesting;  ///< of its loops, flattened
-  Region region;    ///< without shared sides, with arcs divided where they touch
+  Region region;    ///< without shared sides, arcs divided where they touch, nearly straight ones lines
 };
 
 CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
@@ -231,7 +236,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
   SharedSides shared = withoutSharedSides(region, tolerance, progress);
   if (shared.drawnTwice) refuseTwice(*shared.drawnTwice, name);
-  Region drawn = shared.without ? *std::move(shared.without) : region;
+  Region drawn = straightened(shared.without ? *std::move(shared.without) : region, tolerance);
   if (auto divided = dividedWhereArcsTouch(drawn, tolerance, progress)) drawn = *std::move(divided);
   const std::vector<Loop> all = cornersOf(drawn, tolerance, confusion, name, progress);
   Nesting nesting(all, progress);
@@ -247,12 +252,15 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   return {tolerance, std::move(nesting), std::move(drawn)};
 }
 
+double farthestIn(const Box2& box) { return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff(); }
+
 /// Without segments that have no length beyond the rounding of their coordinates, and so no direction: files end what they
 /// close that near to its beginning.
 Path withoutPoints(Path path, const Progress& progress) {
   progress.check();
-  const Box2 box = looseBox({&path, 1});
-  const double rounding = std::ldexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), -46);
+  const Box2 box = boxAround({&path, 1});
+  const double drawn = std::ldexp(farthestIn(box), -46), withCenters = std::ldexp(farthestIn(looseBox({&path, 1})), -46);
+  const double rounding = std::max(drawn, std::min(withCenters, 1e-9 * box.sizes().maxCoeff()));
   std::erase_if(path.segments, [&](const Segment& segment) {
     if (const auto* line = std::get_if<Line2>(&segment)) return (line->to - line->from).norm() <= rounding;
     const auto* arc = std::get_if<Arc2>(&segment);
@@ -277,6 +285,23 @@ double defaultTolerance(const Region& region) {
   // An outline that encloses nothing is refused in its turn.
   const double byThickness = std::max(shareOfThickness * thicknessOf(region), 1e-3 * bySize);
   return std::min({largestTolerance, bySize, byThickness});
+}
+
+void straighten(Path& path, double tolerance) {
+  constexpr double large = 1e4, share = 1e-3;
+  const double size = boxAround({&path, 1}).sizes().maxCoeff();
+  const std::size_t count = path.segments.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    Segment& segment = path.segments[k];
+    const auto* arc = std::get_if<Arc2>(&segment);
+    if (!arc || arc->radius < large * size) continue;
+    const double bow = 2 * arc->radius * std::pow(std::sin(arc->sweep / 4), 2);
+    if (bow > share * tolerance) continue;
+    // The neighbours know better where it ends.
+    const bool hasBefore = count > 1 && (path.closed || k > 0), hasNext = count > 1 && (path.closed || k + 1 < count);
+    segment = Line2{hasBefore ? endPoint(path.segments[(k + count - 1) % count]) : startPoint(segment),
+                    hasNext ? startPoint(path.segments[(k + 1) % count]) : endPoint(segment)};
+  }
 }
 
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,

@@ -6,6 +6,7 @@
 #include "core/tolerance.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/flattening.h"
 
 namespace blossom::planar {
@@ -37,7 +38,7 @@ bool isStraight(const Path& curve) {
 
 double toleranceOfCurves(const std::vector<Path>& curves, const FlatteningOptions& options, const std::string& name) {
   constexpr double largest = 0.01, shareOfSize = 1e-4;
-  const Box2 box = looseBox(curves);
+  const Box2 box = boxAround(curves);
   const double size = box.sizes().maxCoeff();
   const bool straight = std::all_of(curves.begin(), curves.end(), isStraight);
   const double tolerance =
@@ -46,7 +47,7 @@ double toleranceOfCurves(const std::vector<Path>& curves, const FlatteningOption
     refuse(ErrorCode::InvalidParameter, name,
            fmt::format("at {} is {:.3g} mm large; a tolerance of {:.3g} mm is too coarse for its curves.", at(box.center()),
                        size, *options.tolerance),
-           fmt::format("Give a tolerance of at most {:.2g} mm, or none.", 0.99 * coarsestOfCurve * size / options.share));
+           smallerTolerance(coarsestOfCurve * size / options.share));
   return tolerance;
 }
 
@@ -57,9 +58,7 @@ void refuseTooFine(const std::vector<Path>& curves, double tolerance, const std:
     for (const Segment& segment : curve.segments) {
       ++sides;
       if (std::holds_alternative<Line2>(segment)) continue;
-      Box2 box;
-      extendLoosely(box, segment);
-      sides += std::sqrt(box.sizes().norm() / tolerance);
+      sides += std::sqrt(boxAround(segment).sizes().norm() / tolerance);
     }
   if (sides > mostPoints)
     refuse(ErrorCode::LimitExceeded, name,
@@ -103,6 +102,7 @@ SoundSet soundSet(const PlanarSet& set, const FlatteningOptions& options, const 
     const double tolerance = toleranceOfCurves(sound.curves, options, name);
     sound.tolerance = sound.area.region.loops.empty() ? tolerance : std::min(tolerance, sound.tolerance);
     sound.area.tolerance = sound.tolerance;
+    for (Path& curve : sound.curves) straighten(curve, sound.tolerance);
     refuseTooFine(sound.curves, sound.tolerance, name);
   }
   return sound;

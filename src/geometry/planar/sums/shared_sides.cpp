@@ -314,10 +314,10 @@ SharedSides sharedSides(const Region& region, Shared wanted, double size, double
 
 SharedSides withoutSharedSides(const Region& region, double tolerance, const Progress& progress) {
   if (!hasCurves(region)) return {};
-  const Box2 box = looseBox(region.loops);
-  const double size = box.sizes().maxCoeff();
-  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  const double ofNumbers = std::max(1e-9 * size, 1e-14 * farthest);
+  const double size = boxAround(region.loops).sizes().maxCoeff();
+  const Box2 withCenters = looseBox(region.loops);  // shallow arcs have theirs far away
+  const double farthest = std::max(withCenters.min().cwiseAbs().maxCoeff(), withCenters.max().cwiseAbs().maxCoeff());
+  const double ofNumbers = std::max(1e-9 * size, std::min(1e-14 * farthest, 0.1 * tolerance));
   // Files with six decimals round bulges, too.
   const double ofFiles = std::max(ofNumbers, std::min(1e-6 * size, 0.1 * tolerance));
   SharedSides found = sharedSides(region, Shared::Curves, size, ofFiles, progress);

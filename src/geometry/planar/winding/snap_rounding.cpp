@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "geometry/numeric/box_tree.h"
@@ -11,7 +12,9 @@
 namespace blossom::planar {
 namespace {
 
-constexpr double pixel = 1;  // an edge is bent through vertices within it
+/// An edge is bent through vertices that are nearer to it, in units: up to half the diagonal of a cell. Through vertices at
+/// nearly 1 on either side it would be bent to and fro.
+constexpr double pixel = 0.7071;
 
 Vec2 asVec(const GridPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -42,10 +45,21 @@ bool crossing(const GridPoint& a, const GridPoint& b, const GridPoint& c, const 
          signOf(cross(d - c, a - c)) * signOf(cross(d - c, b - c)) < 0;
 }
 
+/// The end beyond which a point lies, seen along a segment.
+std::optional<GridPoint> endBefore(const GridPoint& p, const GridPoint& from, const GridPoint& to) {
+  if (dot(p - from, to - from) <= 0) return from;
+  if (dot(p - to, from - to) <= 0) return to;
+  return std::nullopt;
+}
+
+/// Beside an end it is that end: cut there, the segment would go back to what it is cut at, and so on for ever. The end lies
+/// no farther from the crossing, and the other segment passes it.
 GridPoint crossingPoint(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
   const double t = static_cast<double>(cross(c - a, d - c)) / static_cast<double>(cross(b - a, d - c));
   const Vec2 off = t * asVec(b - a);
-  return a + GridPoint{std::llround(off.x()), std::llround(off.y())};
+  const GridPoint p = a + GridPoint{std::llround(off.x()), std::llround(off.y())};
+  if (const auto end = endBefore(p, a, b)) return *end;
+  return endBefore(p, c, d).value_or(p);
 }
 
 std::vector<Box2> boxesOf(const std::vector<CountedEdge>& edges) {
@@ -60,17 +74,18 @@ bool cutOnce(std::vector<CountedEdge>& edges, const Progress& progress) {
   std::vector<std::vector<GridPoint>> cuts(edges.size());
   bool any = false;
   const auto add = [&](std::size_t edge, const GridPoint& p) {
-    if (p == edges[edge].from || p == edges[edge].to) return;
+    if (p == edges[edge].from || p == edges[edge].to) return false;
     cuts[edge].push_back(p);
-    any = true;
+    return any = true;
   };
   const auto addNear = [&](std::size_t edge, const GridPoint& p) {
-    if (distance(p, edges[edge].from, edges[edge].to) < pixel) add(edge, p);
+    return distance(p, edges[edge].from, edges[edge].to) < pixel && add(edge, p);
   };
   forEachNearPair<2>(boxesOf(edges), pixel, progress, [&](std::size_t i, std::size_t j) {
     const CountedEdge &e = edges[i], &f = edges[j];
-    addNear(i, f.from), addNear(i, f.to), addNear(j, e.from), addNear(j, e.to);
-    if (crossing(e.from, e.to, f.from, f.to)) {
+    const int bent = addNear(i, f.from) + addNear(i, f.to) + addNear(j, e.from) + addNear(j, e.to);
+    // Edges that are bent through each other's ends need not cross any more; a crossing of flat ones may lie far off.
+    if (bent == 0 && crossing(e.from, e.to, f.from, f.to)) {
       const GridPoint p = crossingPoint(e.from, e.to, f.from, f.to);
       add(i, p), add(j, p);
     }
@@ -85,7 +100,10 @@ bool cutOnce(std::vector<CountedEdge>& edges, const Progress& progress) {
       const Wide s = dot(a, along), t = dot(b, along);
       return s != t ? s < t : a < b;
     });
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    // Of two corners beside one place, one on either side, the edge passes one: from one to the other it would run along the
+    // other diagonal of their cell, which is bent back, and so on for ever.
+    const auto atOnePlace = [&](const GridPoint& a, const GridPoint& b) { return dot(a, along) == dot(b, along); };
+    points.erase(std::unique(points.begin(), points.end(), atOnePlace), points.end());
     GridPoint from = edges[i].from;
     points.push_back(edges[i].to);
     for (const GridPoint& to : points) {

@@ -7,7 +7,7 @@
 
 namespace blossom::planar {
 
-/// Iterated snap rounding (Halperin & Packer 2002): edges within a unit of a vertex are routed through it and crossings
+/// Iterated snap rounding (Halperin & Packer 2002): edges within 0.7 units of a vertex are routed through it and crossings
 /// become vertices, until edges meet only in common end points. An edge drifts by less than a unit a round, of which there
 /// rarely are more than three.
 /// @pre edges run from the lower to the higher point and differ

@@ -124,6 +124,49 @@ class MeshTest : public QObject {
       if (wanted > 1) COMPARE_NEAR(sum, wanted, 1e-9);  // no triangle is turned over
     }
   }
+  /// Slots that are narrow, but wider than rounding, are no spikes.
+  void narrowSlotsStay() {
+    Random random = seededRandom();
+    for (double width = 1e-10; width < 1e-5; width *= 3) {
+      std::vector<Vec3> polygon{{-50, -1, 0}};
+      polygon.emplace_back(50, -1, 0);
+      for (int k = 49; k > -50; --k)
+        for (const Vec2& p : {Vec2(k + width, 0), Vec2(k, -uniform(random, 0.1, 0.9)), Vec2(k - width, 0)})
+          polygon.emplace_back(p.x(), p.y(), 0);
+      const double wanted = vectorArea(polygon).norm();
+      double sum = 0;
+      for (const auto& [a, b, c] : triangulate(polygon)) {
+        const auto at = [&](int k) { return polygon[static_cast<std::size_t>(k)]; };
+        sum += vectorArea(std::vector<Vec3>{at(a), at(b), at(c)}).norm();
+      }
+      COMPARE_NEAR(sum, wanted, 1e-11);
+    }
+  }
+  /// Sides that go on beyond their corner and come back, but for rounding: polygons that touch or cross themselves by that
+  /// are covered once all the same.
+  void spikesMakeNoFolds() {
+    Random random = seededRandom();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 axis = Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.1, 1)).normalized();
+      const std::vector<Vec3> star = starPolygon(random, i % 10 == 0 ? 300 : uniformInt(random, 3, 12), axis);
+      if (vectorArea(star).dot(axis) < 1) continue;
+      const std::size_t spiked = static_cast<std::size_t>(uniformInt(random, 0, static_cast<int>(star.size()) - 1));
+      const Vec3 &before = star[(spiked + star.size() - 1) % star.size()], &corner = star[spiked];
+      std::vector<Vec3> polygon;
+      for (std::size_t k = 0; k < star.size(); ++k) {
+        if (k == spiked) polygon.push_back(corner + uniform(random, 0.01, 1) * (corner - before));
+        polygon.push_back(star[k]);
+      }
+      const double rounding = std::pow(10, uniform(random, -16, -8));
+      for (Vec3& p : polygon) p += rounding * Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
+      double sum = 0;
+      for (const auto& [a, b, c] : triangulate(polygon)) {
+        const auto at = [&](int k) { return polygon[static_cast<std::size_t>(k)]; };
+        sum += vectorArea(std::vector<Vec3>{at(a), at(b), at(c)}).norm();
+      }
+      COMPARE_NEAR(sum, vectorArea(star).norm(), 1e-5);
+    }
+  }
   void cornersInLineMakeNoFlatTriangles() {
     Random random = seededRandom();
     // The diagonal between the second and the last corner would run through the third.

@@ -9,17 +9,16 @@
 #include <utility>
 
 #include "core/error.h"
-#include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/collapsed.h"
-#include "kernel/convex/convex_surface.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
 #include "kernel/manifold.h"
-#include "kernel/only_closed.h"
-#include "kernel/plane_triangles.h"
+#include "kernel/place.h"
+#include "kernel/rounding/attempts.h"
+#include "kernel/rounding/kept.h"
 #include "kernel/self_crossing.h"
 #include "kernel/separated.h"
 #include "kernel/side_by_side.h"
@@ -28,89 +27,6 @@
 namespace blossom::morphology {
 
 namespace {
-
-Mesh movedFrom(Mesh mesh, const Vec3& centre) {
-  for (Vec3& p : mesh.points) p += centre;
-  return mesh;
-}
-
-/// Corners that follow each other have places of their own.
-bool everyEdgeHasLength(const Mesh& mesh) {
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    const auto corners = facePoints(mesh, f);
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      if (corners[k] == corners[(k + 1) % corners.size()]) return false;
-  }
-  return true;
-}
-
-/// The face as triangles between its corners, or as it is where that fails.
-void addSplit(const Mesh& mesh, std::size_t face, Mesh& result) {
-  const std::vector<int> corners(mesh.face(face).begin(), mesh.face(face).end());
-  const auto triangles = trianglesBetween(mesh.points, {corners}, vectorArea(facePoints(mesh, face)));
-  if (triangles.size() != corners.size() - 2) {
-    result.addFace(corners);
-    return;
-  }
-  for (const auto& triangle : triangles) result.addFace(triangle);
-}
-
-template <class Which>
-Mesh withSplit(const Mesh& mesh, const Which& which) {
-  Mesh result;
-  result.points = mesh.points;
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    if (mesh.face(f).size() > 3 && which(f))
-      addSplit(mesh, f, result);
-    else
-      result.addFace(mesh.face(f));
-  return result;
-}
-
-/// Looks at ways to write one surface down until one crosses nowhere.
-class Attempts {
- public:
-  Attempts(const Vec3& centre, const Progress& progress) : centre_(centre), progress_(progress) {}
-
-  [[nodiscard]] std::optional<Mesh> asIs(const Mesh& mesh) {
-    crossing_.reset();
-    if (mesh.faceCount() == 0) return std::nullopt;
-    Mesh there = movedFrom(mesh, centre_);
-    if (!everyEdgeHasLength(there)) return std::nullopt;
-    if (isConvexSurface(there)) return there;  // which crosses nowhere, and is told at once
-    bool isClosed = false, isSound = false;
-    sideBySide(
-        progress_, [&] { crossing_ = firstCrossing(there, progress_); },
-        [&] {
-          isClosed = meshTopology(mesh).closed();
-          isSound = isClosed && !firstTwistedEdge(there, progress_);
-        });
-    if (!isClosed) crossing_.reset();
-    if (crossing_ || !isSound) return std::nullopt;
-    return there;
-  }
-
-  /// Polygons that cross something are split: their triangles may run otherwise than those their readers make.
-  [[nodiscard]] std::optional<Mesh> withFewerPolygons(Mesh mesh) {
-    constexpr int maximumRounds = 8;
-    for (int round = 0; round <= maximumRounds; ++round) {
-      if (auto made = asIs(mesh)) return made;
-      if (!crossing_) return std::nullopt;
-      const std::size_t before = mesh.faceCount();
-      const auto isHit = [&](std::size_t f) { return f == crossing_->first || f == crossing_->second; };
-      mesh = withSplit(mesh, [&](std::size_t f) { return round == maximumRounds || isHit(f); });
-      if (mesh.faceCount() == before) return std::nullopt;
-    }
-    return asIs(mesh);
-  }
-
-  [[nodiscard]] const std::optional<MeshCrossing>& crossing() const { return crossing_; }
-
- private:
-  const Vec3& centre_;
-  const Progress& progress_;
-  std::optional<MeshCrossing> crossing_;
-};
 
 /// Corners on a grid, in the user's coordinates.
 Mesh snappedTo(Mesh mesh, const Vec3& centre, double step, const Progress& progress) {
@@ -174,18 +90,23 @@ Surface withoutThinShells(Surface surface, double thickness, const Progress& pro
   return made;
 }
 
-/// Whether a surface of which no corner has moved farther encloses about the same.
-bool keepsVolume(const Surface& before, const Mesh& after, double moved) {
-  const double change = signedVolume(triangulated(after).first) - signedVolume(before.triangles);
-  const double roundOff = 1e-13 * before.size * before.size * before.size;
-  return std::abs(change) <= 2 * moved * area(before.triangles) + roundOff;
+/// Whether it is what the surface was, but for corners that have moved by no more.
+bool isSame(const Surface& before, const Mesh& after, double moved) {
+  return keepsVolume(before.triangles, after, before.size, moved + joinedFacesFlatness * before.size);
 }
 
 /// Of the size: thinner voids and bodies may come from rounding, and be turned by it.
 constexpr double leastThickness = 1e-12;
 
+/// @param thickness of shells that are gone if `surface` is less than it was
 RoundingLoss lossOf(double moved, const Surface& surface, double thickness) {
   return {moved, surface.isLess && thickness > leastThickness * surface.size ? thickness : 0};
+}
+RoundingLoss lossOf(double moved, const Surface& surface, double thickness, const Mesh& made) {
+  // Cracks that close are no loss.
+  const bool isLess =
+      surface.isLess || (surface.topology.closed() && losesDetails(surface.triangles, made, surface.size, moved));
+  return {moved, isLess && thickness > leastThickness * surface.size ? thickness : 0};
 }
 
 /// Rounds a surface to coarser and coarser grids until one crosses nowhere.
@@ -205,19 +126,21 @@ class Rounding {
       const double step = std::ldexp(1, finest + bits), thickness = 2 * step;
       // What is open may close on the grid: nobody knows what lies within it before.
       const Surface thick = surface.topology.closed() ? withoutThinShells(surface, thickness, progress_) : surface;
-      auto made = onGrid(thick.joined, step);
-      if (!made && thick.joined.faceCount() < thick.triangles.faceCount()) made = onGrid(thick.triangles, step);
-      if (made && keepsVolume(thick, *made, step + joinedFacesFlatness * surface.size))
-        return Rounded{*std::move(made), step, lossOf(step, thick, thickness)};
+      auto made = onGrid(thick.joined, thick, step);
+      if (!made && thick.joined.faceCount() < thick.triangles.faceCount()) made = onGrid(thick.triangles, thick, step);
+      if (!made) continue;
+      const RoundingLoss loss = lossOf(step, thick, thickness, *made);
+      return Rounded{*std::move(made), step, loss};
     }
     return std::nullopt;
   }
 
  private:
-  std::optional<Mesh> onGrid(const Mesh& form, double step) {
+  std::optional<Mesh> onGrid(const Mesh& form, const Surface& surface, double step) {
     const Mesh snapped = inOrder(snappedTo(form, centre_, step, progress_));
-    if (auto made = attempts_.withFewerPolygons(snapped)) return made;
-    if (const auto whole = mended(snapped, progress_)) return attempts_.asIs(*whole);
+    if (auto made = attempts_.withFewerPolygons(snapped); made && isSame(surface, *made, step)) return made;
+    if (const auto whole = mended(snapped, progress_))
+      if (auto made = attempts_.asIs(*whole); made && isSame(surface, *made, step)) return made;
     return std::nullopt;
   }
 
@@ -239,8 +162,8 @@ std::optional<Finished> withNearOnesUnited(const Surface& surface, double finest
     const Mesh whole = inOrder(manifoldOf(*apart, progress));
     if (!meshTopology(whole).closed()) continue;
     auto made = attempts.withFewerPolygons(manifoldOf(joinedCoplanar(whole, {.tolerance = flat}, progress), progress));
-    if (!made) made = attempts.asIs(whole);
-    if (made && keepsVolume(thick, *made, moved + flat)) return Finished{inOrder(*made), lossOf(moved, thick, thickness)};
+    if (!made || !isSame(thick, *made, moved + flat)) made = attempts.asIs(whole);
+    if (made && isSame(thick, *made, moved + flat)) return Finished{inOrder(*made), lossOf(moved, thick, thickness, *made)};
   }
   return std::nullopt;
 }
@@ -259,8 +182,8 @@ std::string RoundingLoss::sentences() const {
   if (moved > 0)
     all = fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", moved);
   if (!(thickness > 0)) return all;
-  return all +
-         fmt::format("{}Bodies or voids thinner than {:.2g} mm have been left out.", all.empty() ? "" : " ", thickness);
+  return all + fmt::format("{}Bodies, voids, walls or gaps thinner than {:.2g} mm have been left out.",
+                           all.empty() ? "" : " ", thickness);
 }
 
 CannotBeRounded::CannotBeRounded(const std::string& message)
@@ -281,7 +204,10 @@ double movedByDoubles(const Mesh& mesh, const Vec3& centre) {
 Finished roundedSomehow(Surface whole, const Vec3& centre, double thickness, const Progress& progress) {
   const Surface surface = withoutThinShells(std::move(whole), thickness, progress);
   Attempts attempts(centre, progress);
-  if (auto made = attempts.withFewerPolygons(surface.joined)) return {inOrder(*made), lossOf(0, surface, thickness)};
+  const bool isJoined = surface.joined.faceCount() < surface.triangles.faceCount();
+  if (auto made = attempts.withFewerPolygons(surface.joined);
+      made && (!isJoined || isSame(surface, *made, movedByDoubles(surface.triangles, centre))))
+    return {inOrder(*made), lossOf(0, surface, thickness)};
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), lossOf(0, surface, thickness)};
   const int finest = std::ilogb(std::max(surface.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
@@ -346,7 +272,7 @@ std::optional<OnGrid> onCoarserGrid(const Mesh& triangles, double step, const Pr
   if (surface.topology.closed())
     if (const auto made = withNearOnesUnited(surface, step, attempts, progress)) {
       const OnGrid united{triangulated(made->mesh, progress).first, made->loss.moved, made->loss};
-      if (isOnlyClosed(triangles, united.triangles, united.step, progress)) return united;
+      if (keepsPlaces(triangles, united.triangles, united.step, united.loss.thickness > 0, progress)) return united;
     }
   if (auto made = rounding.from(surface, std::ilogb(step), fewBits + 2, mostBits)) return of(*made);
   return std::nullopt;

@@ -13,7 +13,7 @@ namespace blossom::morphology {
 /// What has been lost to rounding.
 struct RoundingLoss {
   double moved = 0;      ///< mm that corners have moved by at most, beyond the rounding of doubles
-  double thickness = 0;  ///< mm below which bodies and voids have been left out; 0 where none has
+  double thickness = 0;  ///< mm below which bodies, voids, walls or gaps have been left out; 0 where none has
 
   /// Of two steps of one piece of work.
   void add(const RoundingLoss&);

@@ -16,7 +16,7 @@
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
-#include "kernel/only_closed.h"
+#include "kernel/rounding/kept.h"
 #include "kernel/solid_check.h"
 
 namespace blossom::morphology {
@@ -109,7 +109,7 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
     const auto coarser = onCoarserGrid(triangles, usual, progress);
     if (!coarser) throw;
     CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step, wasOpen};
-    if (wasOpen && !isOnlyClosed(triangles, made.solid.triangles, made.step, progress)) throw;
+    if (wasOpen && !keepsPlaces(triangles, made.solid.triangles, made.step, coarser->loss.thickness > 0, progress)) throw;
     if (coarser->loss.thickness > 0)
       made.solid.warnings.push_back(
           fmt::format("{}: {}", subject.name, RoundingLoss{0, coarser->loss.thickness}.sentences()));

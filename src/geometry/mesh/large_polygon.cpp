@@ -67,9 +67,12 @@ class LargeClipper {
     triangles_.reserve(corners.size() - 2);
   }
 
-  std::vector<std::array<int, 3>> run() {
+  std::vector<std::array<int, 3>> run(bool spikesFirst) {
+    if (spikesFirst) clipSpikes();
     clipEars(nothing_);
     if (left_ > 3) clipEars(0);
+    for (const double depth : {nothing_, 16 * nothing_, 256 * nothing_})
+      if (left_ > 3) clipEars(-depth);
     if (left_ > 3) clipMostConvex();
     int first = cursor_;
     for (int i = links_[index(cursor_)].next; i != cursor_; i = links_[index(i)].next) first = std::min(first, i);
@@ -106,7 +109,7 @@ class LargeClipper {
     const auto [before, after] = links_[index(i)];
     const Vec2 &a = at(before), &b = at(i), &c = at(after);
     const double ab = nothing * (b - a).norm(), bc = nothing * (c - b).norm(), ca = nothing * (a - c).norm();
-    if (!(doubleArea(a, b, c) > std::max({ab, bc, ca}))) return false;
+    if (!(doubleArea(a, b, c) > std::max({ab, bc, ca, 0.0}))) return false;
     const Vec2 low = a.cwiseMin(b).cwiseMin(c).array() - nothing, high = a.cwiseMax(b).cwiseMax(c).array() + nothing;
     return !reflex.any(low, high, [&](int k) {
       const Vec2& p = at(k);
@@ -141,6 +144,18 @@ class LargeClipper {
         cursor_ = after;
         ++inVain;
       }
+    }
+  }
+
+  void clipSpikes() {
+    for (std::size_t inVain = 0; left_ > 3 && inVain < left_; ++inVain) {
+      const auto [previous, next] = links_[index(cursor_)];
+      const bool isClippedNow = isSpike(at(previous), at(cursor_), at(next), nothing_);
+      if (isClippedNow) {
+        clip(cursor_);
+        inVain = 0;
+      }
+      cursor_ = isClippedNow ? previous : next;
     }
   }
 
@@ -181,9 +196,15 @@ class LargeClipper {
 
 }  // namespace
 
-std::vector<std::array<int, 3>> triangulateLarge(const std::vector<Vec2>& corners, double nothing,
+bool isSpike(const Vec2& a, const Vec2& b, const Vec2& c, double nothing) {
+  constexpr double crossings = 16;  // rounding of both ways adds up
+  const Vec2 back = a - b, on = c - b;
+  return back.dot(on) > 0 && std::abs(doubleArea(a, b, c)) <= crossings * nothing * std::max(back.norm(), on.norm());
+}
+
+std::vector<std::array<int, 3>> triangulateLarge(const std::vector<Vec2>& corners, double nothing, bool spikesFirst,
                                                  const Progress& progress) {
-  return LargeClipper(corners, nothing, progress).run();
+  return LargeClipper(corners, nothing, progress).run(spikesFirst);
 }
 
 }  // namespace blossom

@@ -39,6 +39,23 @@ double nothing(std::span<const Vec3> polygon) {
   return std::max(1e-9 * extent, 16 * std::numeric_limits<double>::epsilon() * largest);
 }
 
+/// Twice the area of triangles that lie upside down.
+double turnedOver(const std::vector<Vec2>& points, const CornerTriples& triangles) {
+  const auto at = [&](int i) -> const Vec2& { return points[static_cast<std::size_t>(i)]; };
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += std::max(0.0, -turn(at(a), at(b), at(c)));
+  return sum;
+}
+
+double turnedByRounding(std::span<const Vec3> polygon) {
+  double largest = 0, extent = 0;
+  for (const Vec3& p : polygon) {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    extent = std::max(extent, (p - polygon[0]).cwiseAbs().maxCoeff());
+  }
+  return 16 * std::numeric_limits<double>::epsilon() * largest * extent;
+}
+
 /// Both triangles of the diagonal must turn the right way, and by more than rounding; of two such diagonals the shorter one.
 CornerTriples splitQuad(std::span<const Vec3> quad) {
   const std::vector<Vec2> p = flattened(quad);
@@ -53,14 +70,16 @@ CornerTriples splitQuad(std::span<const Vec3> quad) {
 
 class EarClipper {
  public:
-  /// @param nothing a corner so close to an ear hinders it, and an ear so flat is none, as long as there are others
+  /// @param nothing a corner so close to an ear hinders it, and an ear so flat is none, as long as there are others; then
+  /// one that is no deeper in it does not
   EarClipper(std::vector<Vec2> points, double nothing)
       : points_(std::move(points)), left_(points_.size()), nothing_(nothing) {
     std::iota(left_.begin(), left_.end(), 0);
   }
 
-  CornerTriples run() {
+  CornerTriples run(bool spikesFirst) {
     CornerTriples triangles;
+    if (spikesFirst) clipSpikes(triangles);
     std::size_t place = 0;
     while (left_.size() > 3) {
       place = nextEar(place % left_.size());
@@ -90,7 +109,7 @@ class EarClipper {
     const auto ears = corner(place);
     const Vec2 &a = at(ears[0]), &b = at(ears[1]), &c = at(ears[2]);
     const double ab = nothing * (b - a).norm(), bc = nothing * (c - b).norm(), ca = nothing * (a - c).norm();
-    if (turn(a, b, c) <= std::max({ab, bc, ca})) return false;
+    if (turn(a, b, c) <= std::max({ab, bc, ca, 0.0})) return false;
     return std::none_of(left_.begin(), left_.end(), [&](int i) {
       const Vec2& p = at(i);
       if (i == ears[0] || i == ears[1] || i == ears[2] || p == a || p == b || p == c) return false;
@@ -98,11 +117,28 @@ class EarClipper {
     });
   }
 
-  /// Corners in line leave ears enough that are not flat. A polygon that crosses itself may have no ear: then the most
-  /// convex corner goes.
+  /// Corners to which the outline goes and comes back where it was, but for rounding, with which it may cross itself there:
+  /// any other ear beside them would fold back.
+  void clipSpikes(CornerTriples& triangles) {
+    for (std::size_t place = 0, inVain = 0; left_.size() > 3 && inVain < left_.size(); ++inVain) {
+      place %= left_.size();
+      const auto [a, b, c] = corner(place);
+      if (isSpike(at(a), at(b), at(c), nothing_)) {
+        triangles.push_back({a, b, c});
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(place));
+        place += left_.size() - 1;  // the one before may be one now
+        inVain = 0;
+      } else {
+        ++place;
+      }
+    }
+  }
+
+  /// Corners in line leave ears enough that are not flat. A polygon that touches itself but for rounding has ears that
+  /// others reach into by little more than that; one that crosses itself may have none: then the most convex corner goes.
   std::size_t nextEar(std::size_t from) const {
     const std::size_t count = left_.size();
-    for (const double nothing : {nothing_, 0.0})
+    for (const double nothing : {nothing_, 0.0, -nothing_, -16 * nothing_, -256 * nothing_})
       for (std::size_t k = 0; k < count; ++k)
         if (const std::size_t place = (from + k) % count; isEar(place, nothing)) return place;
     std::size_t best = 0;
@@ -131,8 +167,17 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon, const
   if (polygon.size() < 3) return {};
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return splitQuad(polygon);
-  if (polygon.size() > large) return triangulateLarge(flattened(polygon), nothing(polygon), progress);
-  return EarClipper(flattened(polygon), nothing(polygon)).run();
+  const std::vector<Vec2> points = flattened(polygon);
+  const auto clipped = [&](bool spikesFirst) {
+    return points.size() > large ? triangulateLarge(points, nothing(polygon), spikesFirst, progress)
+                                 : EarClipper(points, nothing(polygon)).run(spikesFirst);
+  };
+  CornerTriples triangles = clipped(false);
+  const double turned = turnedOver(points, triangles);
+  if (turned <= turnedByRounding(polygon)) return triangles;
+  // It crosses itself; where that is by rounding alone, spikes that go first leave a polygon that does not.
+  CornerTriples others = clipped(true);
+  return turnedOver(points, others) < turned ? others : triangles;
 }
 
 }  // namespace blossom

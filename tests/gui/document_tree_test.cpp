@@ -29,6 +29,7 @@ class DocumentTreeTest : public TreeFixture {
   void movedTogetherInEveryOrder();
   void deletedWithWhatUsesIt();
   void aStepIsDeletedAlone();
+  void aControlShapeIsDeletedFromItsMorph();
   void theOfferGoesWhenTheDocumentChanges();
   void whatIsSelectedKeepsItsTurn();
   void suppressedInsteadOfDeleted();
@@ -197,9 +198,33 @@ void DocumentTreeTest::aStepIsDeletedAlone() {
   QCOMPARE(order(), (std::vector<FeatureId>{"a", "c", "d"}));
   QCOMPARE(document().at("d").inputs, (std::vector<FeatureId>{"a", "c"}));
   undo();
-  choose({"a"});  // of nothing else: what is made of it could not stay
+}
+
+/// What takes other shapes as well does without; what takes one shape cannot.
+void DocumentTreeTest::aControlShapeIsDeletedFromItsMorph() {
+  Feature morph = feature("morph", "minkowski.morph", {"p", "q", "r"}), solid = feature("solid", "modeling.extrude", {"p"});
+  morph.parameters = {{"offsets", {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}};
+  const Document drawn = Document::of(
+      {feature("p", "modeling.circle"), feature("q", "modeling.circle"), feature("r", "modeling.rectangle"), morph, solid});
+  window_->session().commit(drawn, QStringLiteral("Draw"));
+  waitUntilComputed();
+  choose({"p"});
+  trigger("edit.delete");
+  QVERIFY(offered(QStringLiteral("Delete all 3")));
+  QVERIFY(!offered(QStringLiteral("Delete alone")));
+  choose({"q"});
+  trigger("edit.delete");
+  QPushButton* alone = offered(QStringLiteral("Delete alone"));
+  QVERIFY(alone);
+  QTest::mouseClick(alone, Qt::LeftButton);
+  QCOMPARE(document().at("morph").inputs, (std::vector<FeatureId>{"p", "r"}));
+  QCOMPARE(document().at("morph").parameters.at("offsets"), Value::parse("[[1,0,0],[3,0,0]]"));
+  QVERIFY(!document().contains("q"));
+  choose({"r"});  // a morph takes two
   trigger("edit.delete");
   QVERIFY(!offered(QStringLiteral("Delete alone")));
+  undo();
+  QCOMPARE(document().at("morph").inputs, (std::vector<FeatureId>{"p", "q", "r"}));
 }
 
 /// What is told of a document is not told of another one.

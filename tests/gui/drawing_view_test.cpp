@@ -185,11 +185,25 @@ void DrawingViewTest::anotherCommandEndsTheDrawing() {
   run("feature.modeling.box");
   waitUntilComputed();
   QVERIFY(!window_->page().toolStarted());
-  QCOMPARE(window_->page().document().features().size(), std::size_t{1});
+  // What was drawn stays, as it was, in a step of undo of its own; Esc throws it away.
+  const auto drawn = [&] { return window_->page().document().features(); };
+  QCOMPARE(drawn().size(), std::size_t{2});
+  QCOMPARE(drawn().front()->type, std::string("modeling.outline"));
+  COMPARE_NEAR(measureOf(drawn().front()->id, "length"), 30, 1e-9);
+  // A single point is nothing that could stay.
   startDrawing();
   clickAt({0, 0, 0});
   run("edit.duplicate");
   QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(drawn().size(), std::size_t{3});
+  QCOMPARE(drawn().back()->type, std::string("modeling.box"));
+  for (int step = 0; step < 3; ++step) run("edit.undo");
+  QVERIFY(drawn().empty());
+  startDrawing();
+  clickAt({0, 0, 0});
+  clickAt({30, 0, 0});
+  press(Qt::Key_Escape);
+  QVERIFY(!window_->page().toolStarted() && drawn().empty());
 }
 
 void DrawingViewTest::placesOfAShape() {

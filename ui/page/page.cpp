@@ -170,7 +170,7 @@ void DocumentPage::choose(const QString& question, const std::vector<FeatureId>&
 
 void DocumentPage::endQuestion() {
   const Tool* const started = tools_->started();
-  if (dynamic_cast<const ChooseTool*>(started) || (started && started->drawsIn())) endTool();
+  if (dynamic_cast<const ChooseTool*>(started) || (started && started->drawsIn())) tools_->conclude();
 }
 
 bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }

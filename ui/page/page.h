@@ -64,7 +64,7 @@ class DocumentPage : public QObject, public ToolHost {
   void endTool() { tools_->end(); }
   /// Asks in the view for one of these features, which light up; Esc or another tool ends it without an answer.
   void choose(const QString& question, const std::vector<FeatureId>& features, std::function<void(const FeatureId&)> then);
-  /// Ends such a question, or a drawing that is not finished, as another command begins.
+  /// Ends such a question, or a drawing that is not finished, as another command begins; what is drawn stays.
   void endQuestion();
   /// Undo and redo of what the tool has begun, where it has steps of its own, else of the document.
   void undo();

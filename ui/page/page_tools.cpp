@@ -66,7 +66,7 @@ void PageTools::giveViewItsTool() {
 }
 
 void PageTools::start(std::unique_ptr<Tool> started) {
-  end();
+  conclude();
   if (!started) return;
   handles_.reset();
   tool_ = std::move(started);
@@ -114,6 +114,11 @@ void PageTools::end() {
   ended.release()->deleteLater();  // it may still be on the stack
   refreshHandles();
   giveViewItsTool();
+}
+
+void PageTools::conclude() {
+  if (tool_) tool_->conclude();
+  end();
 }
 
 // Handles stay while the same feature is selected: a drag under way must not lose them to its own preview.

@@ -22,12 +22,13 @@ class PageTools : public QObject {
 
   [[nodiscard]] Tool* tool() const { return tool_ ? tool_.get() : handles_.get(); }
   [[nodiscard]] Tool* started() const { return tool_.get(); }  ///< by the user; nullptr: none
-  /// The one before is reverted.
+  /// The one before is concluded.
   void start(std::unique_ptr<Tool>);
   /// Draws a new feature of a type, or edits one; false when the type has no tool of its own.
   bool startDrawing(const std::string& featureType, const FeatureId& edited);
   void end();
-  void drop();  ///< all of them, before the view goes
+  void conclude();  ///< the same, but what has been begun and can stay does
+  void drop();      ///< all of them, before the view goes
   /// The selection, the document or a result has changed.
   void refreshHandles();
 

@@ -7,7 +7,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "feature/input_items.h"
 #include "ui/controls/chip.h"
 #include "ui/controls/field_label.h"
 #include "ui/controls/pick_button.h"
@@ -227,11 +226,7 @@ void InputEditor::take(std::size_t place, const FeatureId& id) {
 }
 
 void InputEditor::commit(const std::vector<FeatureId>& taken) {
-  Feature feature = session_.document().at(feature_);
-  const std::vector<FeatureId> before = inputSlots()->of(spec_);
-  feature.inputs = inputSlots()->with(spec_, taken);
-  feature.parameters =
-      withItemsOfShapes(*type_, std::move(feature.parameters), input().name, formerPlaces(before, taken), before.size());
+  const Feature feature = inputSlots()->with(spec_, taken);
   const QString what = tr("Change %1 of %2").arg(registryText(input().name), qt(shownName(feature)));
   try {
     const Document changed = session_.document().with(feature);

@@ -1,8 +1,12 @@
 #include "ui/panel/input_slots.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
+#include "document/edits.h"
 #include "feature/acceptance.h"
+#include "feature/input_items.h"
 #include "ui/session/session.h"
 
 namespace blossom::ui {
@@ -52,13 +56,51 @@ std::vector<FeatureId> InputSlots::candidates(std::size_t spec) const {
   return found;
 }
 
-std::vector<FeatureId> InputSlots::with(std::size_t spec, const std::vector<FeatureId>& inputs) const {
-  std::vector<FeatureId> all;
+Feature InputSlots::with(std::size_t spec, const std::vector<FeatureId>& inputs) const {
+  Feature changed = feature_;
+  changed.inputs.clear();
   for (std::size_t k = 0; k < taken_.size(); ++k) {
     const auto& part = k == spec ? inputs : taken_[k];
-    all.insert(all.end(), part.begin(), part.end());
+    changed.inputs.insert(changed.inputs.end(), part.begin(), part.end());
   }
-  return all;
+  const std::vector<FeatureId>& before = taken_.at(spec);
+  changed.parameters = withItemsOfShapes(type_, std::move(changed.parameters), type_.inputs.at(spec).name,
+                                         formerPlaces(before, inputs), before.size());
+  return changed;
+}
+
+namespace {
+
+/// Nothing where it needs one of them.
+std::optional<Feature> withoutThem(const Session& session, Feature feature, const std::vector<FeatureId>& ids) {
+  const auto type = session.app().registry->find(feature.type);
+  if (!type) return std::nullopt;
+  for (std::size_t spec = 0; spec < type->inputs.size(); ++spec) {
+    const InputSlots now(session, feature, *type);
+    std::vector<FeatureId> stay = now.of(spec);
+    const auto gone =
+        std::erase_if(stay, [&](const FeatureId& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); });
+    if (gone == 0) continue;
+    if (stay.size() < type->inputs[spec].minimum) return std::nullopt;
+    feature = now.with(spec, stay);
+  }
+  return feature;
+}
+
+}  // namespace
+
+std::optional<Document> withoutInputs(const Session& session, const std::vector<FeatureId>& ids) {
+  Document document = session.document();
+  std::set<FeatureId> users;
+  for (const FeatureId& id : ids)
+    for (const FeatureId& user : document.usersOf(id))
+      if (std::find(ids.begin(), ids.end(), user) == ids.end()) users.insert(user);
+  for (const FeatureId& user : users) {
+    const auto changed = withoutThem(session, document.at(user), ids);
+    if (!changed) return std::nullopt;
+    document = document.with(*changed);
+  }
+  return withoutAll(std::move(document), ids);
 }
 
 }  // namespace blossom::ui

@@ -1,5 +1,6 @@
 #pragma once
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "document/document.h"
@@ -21,8 +22,8 @@ class InputSlots {
   /// shapes, of which one may stand at several places.
   [[nodiscard]] std::vector<FeatureId> candidates(std::size_t spec) const;
   [[nodiscard]] bool accepts(std::size_t spec, const FeatureId&) const;
-  /// All inputs with those of one spec replaced.
-  [[nodiscard]] std::vector<FeatureId> with(std::size_t spec, const std::vector<FeatureId>&) const;
+  /// The feature with the inputs of one spec replaced; what its lists hold for each of them goes with them.
+  [[nodiscard]] Feature with(std::size_t spec, const std::vector<FeatureId>&) const;
   /// Whether `id` is this feature or depends on it.
   [[nodiscard]] bool dependsOnThis(const FeatureId& id) const;
 
@@ -32,5 +33,8 @@ class InputSlots {
   const FeatureType& type_;
   std::vector<std::vector<FeatureId>> taken_;
 };
+
+/// The document without features of which those that are made from them can do without; nothing where one cannot.
+std::optional<Document> withoutInputs(const Session&, const std::vector<FeatureId>& ids);
 
 }  // namespace blossom::ui

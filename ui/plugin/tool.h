@@ -156,6 +156,8 @@ class Tool : public QObject {
   /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().
   virtual void documentChanged() {}
   virtual void frameMoved() {}  ///< the timeline shows another frame
+  /// Called before `revert` where another command takes the tool's place: commits what has been begun, if it can stay.
+  virtual void conclude() {}
   /// Called when the tool is ended from outside (Esc, another tool): reverts previews.
   virtual void revert() {}
 

@@ -74,7 +74,9 @@ class DocumentTree : public QListView {
   [[nodiscard]] std::size_t rowAt(QPoint) const;
   void refuseRemoval(const std::vector<FeatureId>& ids, const std::vector<FeatureId>& users);
   void remove(const std::vector<FeatureId>&);
-  void removeSteps(const std::vector<FeatureId>&);
+  void removeAlone(const std::vector<FeatureId>&);
+  /// The document where what was made of them is made of what they were made from, or of what else it takes.
+  [[nodiscard]] std::optional<Document> withoutAlone(const std::vector<FeatureId>&) const;
   void suppress(const std::vector<FeatureId>&, bool);
   void addCopies(const Document& clip, const std::vector<FeatureId>& wanted, const QString& one, const QString& several);
   void applyFilter();

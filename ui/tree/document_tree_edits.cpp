@@ -5,6 +5,7 @@
 
 #include "document/edits.h"
 #include "ui/look/text.h"
+#include "ui/panel/input_slots.h"
 #include "ui/session/session.h"
 #include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_model.h"
@@ -96,10 +97,14 @@ void DocumentTree::remove(const std::vector<FeatureId>& ids) {
   attempt(titled(ids, tr("Delete %1"), tr("Delete %1 features")), [&] { return withoutAll(session_.document(), ids); });
 }
 
-/// What was made of them is made of what they were made from.
-void DocumentTree::removeSteps(const std::vector<FeatureId>& ids) {
+void DocumentTree::removeAlone(const std::vector<FeatureId>& ids) {
   attempt(titled(ids, tr("Delete %1"), tr("Delete %1 features")),
-          [&] { return withoutSteps(session_.document(), ids).value_or(session_.document()); });
+          [&] { return withoutAlone(ids).value_or(session_.document()); });
+}
+
+std::optional<Document> DocumentTree::withoutAlone(const std::vector<FeatureId>& ids) const {
+  auto without = withoutSteps(session_.document(), ids);
+  return without ? std::move(without) : withoutInputs(session_, ids);
 }
 
 void DocumentTree::removeSelected() {
@@ -126,8 +131,8 @@ void DocumentTree::refuseRemoval(const std::vector<FeatureId>& ids, const std::v
   };
   std::vector<Offer> offers{{tr("Delete all %1").arg(all.size()), [this, all, there] { remove(there(all)); }},
                             {tr("Suppress"), [this, ids, there] { suppress(there(ids), true); }}};
-  if (withoutSteps(session_.document(), ids))
-    offers.insert(offers.begin(), {tr("Delete alone"), [this, ids, there] { removeSteps(there(ids)); }});
+  if (withoutAlone(ids))
+    offers.insert(offers.begin(), {tr("Delete alone"), [this, ids, there] { removeAlone(there(ids)); }});
   emit refused(Error(ErrorCode::InUse, tr("%1 is used by %2.").arg(subject, list).toStdString(), hint.toStdString()),
                offers);
 }

@@ -17,6 +17,7 @@ MorphCard::MorphCard(QWidget* view)
       ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))),
       influences_(textButton(tr("Influence"), tr("Draw how much each control shape counts over t"))),
       path_(textButton(tr("Path"), tr("Draw the way of the sequence through the blossom"))),
+      head_(new QBoxLayout(QBoxLayout::LeftToRight)),
       chart_(new InfluenceChart),
       pad_(new PathPad) {
   setAccessibleName(tr("Morph"));
@@ -37,11 +38,14 @@ MorphCard::MorphCard(QWidget* view)
   row->addWidget(ladder_);
   row->addWidget(influences_);
   row->addWidget(path_);
-  row->addWidget(figures_);
+  row->addStretch();
+  head_->setSpacing(10);
+  head_->addLayout(row);
+  head_->addWidget(figures_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(4);
-  column->addLayout(row);
+  column->addLayout(head_);
   column->addWidget(chart_, 0, Qt::AlignLeft);
   column->addWidget(pad_, 0, Qt::AlignLeft);
   column->addWidget(note_);
@@ -62,11 +66,20 @@ void MorphCard::setLadder(bool on) { ladder_->setChecked(on); }
 void MorphCard::setInfluences(bool on, bool possible) {
   influences_->setChecked(on);
   if (chart_->isHidden() == possible) chart_->setHidden(!possible);
+  arrange();
 }
 
 void MorphCard::setPath(bool open, bool possible) {
   path_->setChecked(open);
   if (pad_->isHidden() == (open && possible)) pad_->setVisible(open && possible);
+  arrange();
+}
+
+// The card hides no more of the drawing than it must: it is as wide as the chart or the pad, or as low as one row.
+void MorphCard::arrange() {
+  const bool isLow = chart_->isHidden() && pad_->isHidden();
+  head_->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  head_->setSpacing(isLow ? 10 : 4);
 }
 
 void MorphCard::setNote(const QString& text) { tell(note_, text); }

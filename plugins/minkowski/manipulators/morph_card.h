@@ -1,6 +1,7 @@
 #pragma once
 #include "ui/tools/floating_panel.h"
 
+class QBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -31,9 +32,11 @@ class MorphCard final : public ui::FloatingPanel {
 
  private:
   static void tell(QLabel*, const QString&);
+  void arrange();
 
   QLabel *figures_, *note_;
   QToolButton *ladder_, *influences_, *path_;
+  QBoxLayout* head_;
   InfluenceChart* chart_;
   PathPad* pad_;
 };

@@ -80,13 +80,22 @@ void DrawTool::finish() {
     emit finished();
     return;
   }
+  host().select(commitDrawn());
+  emit finished();
+}
+
+FeatureId DrawTool::commitDrawn() {
   const auto type = host().registry().at("modeling.outline");
   Feature feature = ui::namedFeature(host().document(), *type);
   feature.parameters = completed(type->parameters, parametersOf(draft_.outline()));
-  const FeatureId id = feature.id;
+  FeatureId id = feature.id;
   host().commit(host().document().with(std::move(feature)), tr("Draw outline"));
-  host().select(id);
-  emit finished();
+  return id;
+}
+
+/// The selection stays: it is for the command that ends the drawing.
+void DrawTool::conclude() {
+  if (draft_.complete()) commitDrawn();
 }
 
 QString DrawTool::wanted() const {

@@ -29,11 +29,13 @@ class DrawTool : public ui::Tool {
   [[nodiscard]] ui::PickMode picks() const override { return ui::PickMode::None; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
   void documentChanged() override;
+  void conclude() override;
 
  private:
   void hover(const ui::ToolEvent&);
   void place();
   void finish();
+  FeatureId commitDrawn();
   void refuse(const QString& why);
   bool entryKey(const QKeyEvent&);
   bool commandKey(const QKeyEvent&);

@@ -204,10 +204,11 @@ double movedByDoubles(const Mesh& mesh, const Vec3& centre) {
 Finished roundedSomehow(Surface whole, const Vec3& centre, double thickness, const Progress& progress) {
   const Surface surface = withoutThinShells(std::move(whole), thickness, progress);
   Attempts attempts(centre, progress);
-  const bool isJoined = surface.joined.faceCount() < surface.triangles.faceCount();
-  if (auto made = attempts.withFewerPolygons(surface.joined);
-      made && (!isJoined || isSame(surface, *made, movedByDoubles(surface.triangles, centre))))
-    return {inOrder(*made), lossOf(0, surface, thickness)};
+  const double moved = movedByDoubles(surface.triangles, centre) + joinedFacesFlatness * surface.size;
+  if (const auto made = attempts.withFewerPolygons(surface.joined)) {
+    Mesh ordered = inOrder(*made);  // which triangles readers make depends on where polygons begin
+    if (!foldsBack(ordered, surface.size, moved)) return {std::move(ordered), lossOf(0, surface, thickness)};
+  }
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), lossOf(0, surface, thickness)};
   const int finest = std::ilogb(std::max(surface.size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place

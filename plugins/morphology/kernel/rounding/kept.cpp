@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,38 @@ std::ptrdiff_t eulerNumber(const Mesh& mesh, const MeshTopology& topology) {
   return vertices - std::ssize(topology.edges) + static_cast<std::ptrdiff_t>(mesh.faceCount());
 }
 
+/// Of a polygon whose corners all turn one way: no triangles of it fold.
+bool turnsOneWay(const Mesh& mesh, std::span<const int> face, const Vec3& normal) {
+  const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(face[k % face.size()])]; };
+  for (std::size_t k = 0; k < face.size(); ++k)
+    if (!((at(k + 1) - at(k)).cross(at(k + 2) - at(k + 1)).dot(normal) > 0)) return false;
+  return true;
+}
+
+double perimeterOf(std::span<const Vec3> polygon) {
+  double sum = (polygon.front() - polygon.back()).norm();
+  for (std::size_t k = 1; k < polygon.size(); ++k) sum += (polygon[k] - polygon[k - 1]).norm();
+  return sum;
+}
+
 }  // namespace
+
+bool foldsBack(const Mesh& polygons, double size, double moved) {
+  for (std::size_t f = 0; f < polygons.faceCount(); ++f) {
+    const auto face = polygons.face(f);
+    if (face.size() < 4) continue;
+    const std::vector<Vec3> corners = facePoints(polygons, f);
+    const Vec3 normal = vectorArea(corners);
+    if (turnsOneWay(polygons, face, normal)) continue;
+    double sum = 0;
+    for (const auto& [a, b, c] : triangulate(corners)) {
+      const auto at = [&](int k) -> const Vec3& { return corners[static_cast<std::size_t>(k)]; };
+      sum += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
+    }
+    if (sum > normal.norm() + 2 * moved * perimeterOf(corners) + 1e-13 * size * size) return true;
+  }
+  return false;
+}
 
 bool keepsVolume(const Mesh& before, const Mesh& after, double size, double moved) {
   const Mesh triangles = triangulated(after).first;

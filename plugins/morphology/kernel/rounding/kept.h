@@ -9,6 +9,10 @@ namespace blossom::morphology {
 /// @param before triangles @param size of it
 bool keepsVolume(const Mesh& before, const Mesh& after, double size, double moved);
 
+/// Whether the triangles that readers make of a polygon fold back over each other, by more than strips along its sides, as
+/// wide as corners have moved. @param size of the mesh
+bool foldsBack(const Mesh& polygons, double size, double moved);
+
 /// Whether bodies, holes through them, or surface are gone, which were thinner than what corners have moved.
 /// @param before triangles @param size of it
 bool losesDetails(const Mesh& before, const Mesh& after, double size, double moved);

@@ -96,7 +96,7 @@ class MinkowskiCliTest : public QObject {
       QCOMPARE(blossom({"morph", "star:3:20:8", "circle:9", "--evaluation", way, "--tolerance", "0.01"}).code, 0);
     const Answer coarse = blossom({"minkowski-sum", "circle:0.001", "circle:0.001", "--tolerance", "0.01"});
     QCOMPARE(coarse.json["error"]["code"], Value("InvalidParameter"));
-    QVERIFY2(coarse.hint().find("0.0002 mm") != std::string::npos, coarse.hint().c_str());
+    QVERIFY2(coarse.hint().find("0.00019 mm") != std::string::npos, coarse.hint().c_str());
     COMPARE_NEAR(blossom({"minkowski-sum", "circle:0.001", "circle:0.001"}).result("area"), 4e-6 * pi, 4e-9);
   }
 

@@ -85,6 +85,12 @@ inline Mesh cuboid(const Vec3& low, const Vec3& high) {
   return mesh;
 }
 
+/// A cube with one corner in the origin and a cube as void in it.
+inline Mesh hollowCube(double side, double wall) {
+  return together(cuboid({0, 0, 0}, {side, side, side}),
+                  insideOut(cuboid(Vec3::Constant(wall), Vec3::Constant(side - wall))));
+}
+
 /// Over a polygon (counter-clockwise, convex or not), from z = low to z = high.
 inline Mesh prism(const std::vector<Vec2>& polygon, double low, double high) {
   Mesh mesh;

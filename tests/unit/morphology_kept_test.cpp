@@ -40,11 +40,6 @@ Mesh withFin(double thickness, double height) {
       0, 1);
 }
 
-Mesh hollowCube(double side, double wall) {
-  return together(cuboid({0, 0, 0}, {side, side, side}),
-                  insideOut(cuboid(Vec3::Constant(wall), Vec3::Constant(side - wall))));
-}
-
 Mesh withGap(double width) {
   return together(cuboid({0, 0, 0}, {0.5, 0.5, 0.5}), cuboid({0.1, 0.1, 0.5 + width}, {0.5, 0.5, 1}));
 }

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "kernel/coplanar_regions.h"
 #include "kernel/plane_triangles.h"
 
 namespace blossom::morphology {
@@ -19,66 +20,6 @@ namespace {
 constexpr std::size_t regionsOfPart = 64;  // that are worked on beside others
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// Triangles of one plane each, as numbers per triangle.
-class Regions {
- public:
-  Regions(const Mesh& mesh, const MeshTopology& topology, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
-    neighbours_.resize(mesh.faceCount());
-    for (const MeshEdge& edge : topology.edges)
-      if (edge.manifold()) {
-        neighbours_[at(edge.faces[0])].push_back(edge.faces[1]);
-        neighbours_[at(edge.faces[1])].push_back(edge.faces[0]);
-      }
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) normals_.push_back(vectorArea(facePoints(mesh, f)));
-    regionOfFace_.assign(mesh.faceCount(), -1);
-    std::vector<std::size_t> order(mesh.faceCount());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    // The largest triangle knows its plane best.
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return normals_[a].squaredNorm() > normals_[b].squaredNorm(); });
-    for (const std::size_t seed : order)
-      if (regionOfFace_[seed] < 0) grow(static_cast<int>(seed));
-  }
-  [[nodiscard]] const std::vector<int>& ofFace() const { return regionOfFace_; }
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  void grow(int seed) {
-    const int region = static_cast<int>(count_++);
-    const Vec3 normal = normals_[at(seed)].normalized(), origin = mesh_.points[at(mesh_.face(at(seed))[0])];
-    regionOfFace_[at(seed)] = region;
-    std::vector<int> open{seed};
-    while (!open.empty()) {
-      const int face = open.back();
-      open.pop_back();
-      for (const int next : neighbours_[at(face)]) {
-        if (regionOfFace_[at(next)] >= 0 || !liesIn(next, origin, normal)) continue;
-        regionOfFace_[at(next)] = region;
-        open.push_back(next);
-      }
-    }
-  }
-  [[nodiscard]] bool liesIn(int face, const Vec3& origin, const Vec3& normal) const {
-    const auto corners = mesh_.face(at(face));
-    const auto near = [&](int v) { return std::abs((mesh_.points[at(v)] - origin).dot(normal)) <= tolerance_; };
-    if (!std::all_of(corners.begin(), corners.end(), near)) return false;
-    // The normal of a sliver is chance.
-    const double side = std::sqrt(2 * normals_[at(face)].norm());
-    return normals_[at(face)].dot(normal) > 0 || side * side <= tolerance_ * longestSide(face);
-  }
-  [[nodiscard]] double longestSide(int face) const {
-    const auto p = facePoints(mesh_, at(face));
-    return std::max({(p[0] - p[1]).norm(), (p[1] - p[2]).norm(), (p[2] - p[0]).norm()});
-  }
-
-  const Mesh& mesh_;
-  double tolerance_;
-  std::vector<std::vector<int>> neighbours_;
-  std::vector<Vec3> normals_;
-  std::size_t count_ = 0;
-  std::vector<int> regionOfFace_;
-};
 
 /// Which vertices stay: corners of the regions, and what bends the chains between them.
 class Chains {
@@ -170,17 +111,21 @@ struct Step {
 };
 
 /// In order: by region, then by where they begin.
-std::vector<Step> boundarySteps(const Mesh& mesh, const std::vector<int>& regionOfFace) {
-  std::vector<Step> all, boundary;
-  all.reserve(3 * mesh.faceCount());
+std::vector<Step> boundarySteps(const Mesh& mesh, const MeshTopology& topology, const std::vector<int>& regionOfFace) {
+  std::vector<bool> isWithin(mesh.faceVertices.size(), false);  // sides between two triangles of one region
+  for (const MeshEdge& edge : topology.edges)
+    if (edge.manifold() && regionOfFace[at(edge.faces[0])] == regionOfFace[at(edge.faces[1])])
+      isWithin[at(edge.corners[0])] = isWithin[at(edge.corners[1])] = true;
+  std::vector<Step> others, boundary;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto face = mesh.face(f);
-    for (std::size_t k = 0; k < 3; ++k) all.push_back({regionOfFace[f], face[k], face[(k + 1) % 3]});
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!isWithin[3 * f + k]) others.push_back({regionOfFace[f], face[k], face[(k + 1) % 3]});
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (const Step& step : all)
-    if (!std::binary_search(all.begin(), all.end(), Step{step.region, step.to, step.from})) boundary.push_back(step);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  for (const Step& step : others)
+    if (!std::binary_search(others.begin(), others.end(), Step{step.region, step.to, step.from})) boundary.push_back(step);
   return boundary;
 }
 
@@ -208,9 +153,10 @@ std::vector<std::vector<int>> loopsAlong(std::span<const Step> steps) {
 }
 
 /// The boundary of each region as loops of vertices, counter-clockwise.
-std::vector<std::vector<std::vector<int>>> loopsOf(const Mesh& mesh, const std::vector<int>& regionOfFace, std::size_t count,
+std::vector<std::vector<std::vector<int>>> loopsOf(const Mesh& mesh, const MeshTopology& topology,
+                                                   const std::vector<int>& regionOfFace, std::size_t count,
                                                    const Progress& progress) {
-  const std::vector<Step> steps = boundarySteps(mesh, regionOfFace);
+  const std::vector<Step> steps = boundarySteps(mesh, topology, regionOfFace);
   std::vector<std::size_t> starts(count + 1, 0);  // of the steps of each region
   for (const Step& step : steps) ++starts[at(step.region) + 1];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
@@ -321,24 +267,24 @@ bool keepsAllVertices(const Mesh& mesh, const MeshTopology& topology) {
 
 Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Progress& progress) {
   const MeshTopology topology = meshTopology(mesh, progress);
-  const Regions regions(mesh, topology, options.tolerance);
-  if (regions.count() == mesh.faceCount() && keepsAllVertices(mesh, topology)) return mesh;
-  const auto& regionOfFace = regions.ofFace();
-  const auto loops = loopsOf(mesh, regionOfFace, regions.count(), progress);
-  std::vector<double> area(regions.count());
+  const CoplanarRegions regions = coplanarRegions(mesh, topology, options.tolerance);
+  if (regions.count == mesh.faceCount() && keepsAllVertices(mesh, topology)) return mesh;
+  const auto& regionOfFace = regions.ofFace;
+  const auto loops = loopsOf(mesh, topology, regionOfFace, regions.count, progress);
+  std::vector<double> area(regions.count);
   double largest = 0;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) area[at(regionOfFace[f])] += vectorArea(facePoints(mesh, f)).norm();
   for (const Vec3& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   Chains chains(mesh, topology, regionOfFace, options.tolerance);
   for (const int v : touchingPlaces(mesh)) chains.lock(v);
 
-  std::vector<bool> kept(regions.count(), false);  // regions whose triangles stay
+  std::vector<bool> kept(regions.count, false);  // regions whose triangles stay
   for (bool again = true; again;) {
     again = false;
     progress.check();
     const std::vector<bool> stays = chains.simplified();
-    std::vector<Covering> coverings(regions.count());
-    parallelFor(regions.count(), regionsOfPart, progress, [&](std::size_t first, std::size_t last) {
+    std::vector<Covering> coverings(regions.count);
+    parallelFor(regions.count, regionsOfPart, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t r = first; r < last; ++r) {
         if (kept[r]) continue;
         const auto thinned = thinnedLoops(loops[r], stays);
@@ -348,7 +294,7 @@ Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Prog
     });
     Mesh result;
     result.points = mesh.points;
-    for (std::size_t r = 0; r < regions.count(); ++r) {
+    for (std::size_t r = 0; r < regions.count; ++r) {
       if (kept[r]) continue;
       if (coverings[r].isWhole) {
         for (const auto& face : coverings[r].faces) result.addFace(face);

@@ -19,10 +19,10 @@
 #include "kernel/place.h"
 #include "kernel/rounding/attempts.h"
 #include "kernel/rounding/kept.h"
+#include "kernel/rounding/slivers.h"
 #include "kernel/self_crossing.h"
 #include "kernel/separated.h"
 #include "kernel/side_by_side.h"
-#include "kernel/slivers.h"
 
 namespace blossom::morphology {
 
@@ -91,22 +91,19 @@ Surface withoutThinShells(Surface surface, double thickness, const Progress& pro
 }
 
 /// Whether it is what the surface was, but for corners that have moved by no more.
-bool isSame(const Surface& before, const Mesh& after, double moved) {
-  return keepsVolume(before.triangles, after, before.size, moved + joinedFacesFlatness * before.size);
+bool isSame(const Surface& before, const Mesh& after, double moved, const Progress& progress) {
+  return keepsVolume(before.triangles, after, before.size, moved + joinedFacesFlatness * before.size, progress);
 }
-
-/// Of the size: thinner voids and bodies may come from rounding, and be turned by it.
-constexpr double leastThickness = 1e-12;
 
 /// @param thickness of shells that are gone if `surface` is less than it was
 RoundingLoss lossOf(double moved, const Surface& surface, double thickness) {
-  return {moved, surface.isLess && thickness > leastThickness * surface.size ? thickness : 0};
+  return {moved, surface.isLess && thickness > thicknessOfRounding * surface.size ? thickness : 0};
 }
-RoundingLoss lossOf(double moved, const Surface& surface, double thickness, const Mesh& made) {
+RoundingLoss lossOf(double moved, const Surface& surface, double thickness, const Mesh& made, const Progress& progress) {
   // Cracks that close are no loss.
   const bool isLess =
-      surface.isLess || (surface.topology.closed() && losesDetails(surface.triangles, made, surface.size, moved));
-  return {moved, isLess && thickness > leastThickness * surface.size ? thickness : 0};
+      surface.isLess || (surface.topology.closed() && losesDetails(surface.triangles, made, surface.size, moved, progress));
+  return {moved, isLess && thickness > thicknessOfRounding * surface.size ? thickness : 0};
 }
 
 /// Rounds a surface to coarser and coarser grids until one crosses nowhere.
@@ -129,7 +126,7 @@ class Rounding {
       auto made = onGrid(thick.joined, thick, step);
       if (!made && thick.joined.faceCount() < thick.triangles.faceCount()) made = onGrid(thick.triangles, thick, step);
       if (!made) continue;
-      const RoundingLoss loss = lossOf(step, thick, thickness, *made);
+      const RoundingLoss loss = lossOf(step, thick, thickness, *made, progress_);
       return Rounded{*std::move(made), step, loss};
     }
     return std::nullopt;
@@ -138,9 +135,9 @@ class Rounding {
  private:
   std::optional<Mesh> onGrid(const Mesh& form, const Surface& surface, double step) {
     const Mesh snapped = inOrder(snappedTo(form, centre_, step, progress_));
-    if (auto made = attempts_.withFewerPolygons(snapped); made && isSame(surface, *made, step)) return made;
+    if (auto made = attempts_.withFewerPolygons(snapped); made && isSame(surface, *made, step, progress_)) return made;
     if (const auto whole = mended(snapped, progress_))
-      if (auto made = attempts_.asIs(*whole); made && isSame(surface, *made, step)) return made;
+      if (auto made = attempts_.asIs(*whole); made && isSame(surface, *made, step, progress_)) return made;
     return std::nullopt;
   }
 
@@ -162,8 +159,13 @@ std::optional<Finished> withNearOnesUnited(const Surface& surface, double finest
     const Mesh whole = inOrder(manifoldOf(*apart, progress));
     if (!meshTopology(whole).closed()) continue;
     auto made = attempts.withFewerPolygons(manifoldOf(joinedCoplanar(whole, {.tolerance = flat}, progress), progress));
-    if (!made || !isSame(thick, *made, moved + flat)) made = attempts.asIs(whole);
-    if (made && isSame(thick, *made, moved + flat)) return Finished{inOrder(*made), lossOf(moved, thick, thickness, *made)};
+    const auto isKept = [&] { return made && isSame(thick, *made, moved + flat, progress); };
+    bool isGood = isKept();
+    if (!isGood) {
+      made = attempts.asIs(whole);
+      isGood = isKept();
+    }
+    if (isGood) return Finished{inOrder(*made), lossOf(moved, thick, thickness, *made, progress)};
   }
   return std::nullopt;
 }
@@ -207,7 +209,7 @@ Finished roundedSomehow(Surface whole, const Vec3& centre, double thickness, con
   const double moved = movedByDoubles(surface.triangles, centre) + joinedFacesFlatness * surface.size;
   if (const auto made = attempts.withFewerPolygons(surface.joined)) {
     Mesh ordered = inOrder(*made);  // which triangles readers make depends on where polygons begin
-    if (!foldsBack(ordered, surface.size, moved)) return {std::move(ordered), lossOf(0, surface, thickness)};
+    if (!foldsBack(ordered, surface.size, moved, progress)) return {std::move(ordered), lossOf(0, surface, thickness)};
   }
   std::optional<MeshCrossing> crossing = attempts.crossing();
   if (auto made = attempts.asIs(surface.triangles)) return {inOrder(*made), lossOf(0, surface, thickness)};
@@ -250,7 +252,7 @@ Finished finished(const Mesh& soup, const Vec3& centre, Slivers slivers, const P
   Surface surface = surfaceOf(triangles, bounds(triangles).diagonal(), progress);
   if (!surface.topology.closed())
     throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
-  const double ofRounding = leastThickness * surface.size, unwanted = slivers == Slivers::Go ? ofRounding : 0;
+  const double ofRounding = thicknessOfRounding * surface.size, unwanted = slivers == Slivers::Go ? ofRounding : 0;
   if (unwanted > 0 && surface.shells() > 1)
     if (Surface thick = withoutThinShells(surface, unwanted, progress); thick.shells() > 0) surface = std::move(thick);
   surface.isLess = false;

@@ -7,5 +7,7 @@ namespace blossom::morphology {
 /// before may have added.
 inline constexpr double joinedFacesFlatness = 2e-12;  ///< for triangles of one face and vertices of one edge
 inline constexpr double hullFlatness = 4e-12;         ///< a solid with dents up to this is replaced by its hull
+/// Bodies, voids and gaps that are thinner may come from rounding, and be turned inside out by it: they go without a word.
+inline constexpr double thicknessOfRounding = 1e-12;
 
 }  // namespace blossom::morphology

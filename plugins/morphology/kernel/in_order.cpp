@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 namespace blossom::morphology {
 
@@ -21,19 +22,19 @@ std::vector<int> ranksOf(const std::vector<Vec3>& points) {
   return ranks;
 }
 
-/// A face from its lowest corner on; of several, so that what follows is lowest.
-std::vector<int> fromLowest(std::span<const int> face, const std::vector<int>& ranks) {
-  const auto rank = [&](int v) { return ranks[static_cast<std::size_t>(v)]; };
-  const auto lower = [&](int a, int b) { return rank(a) < rank(b); };
-  std::vector<int> best;
-  for (std::size_t start = 0; start < face.size(); ++start) {
-    if (!best.empty() && rank(face[start]) > rank(best.front())) continue;
-    std::vector<int> here(face.begin(), face.end());
-    std::rotate(here.begin(), here.begin() + static_cast<std::ptrdiff_t>(start), here.end());
-    if (best.empty() || std::lexicographical_compare(here.begin(), here.end(), best.begin(), best.end(), lower))
-      best = std::move(here);
-  }
-  return best;
+/// Turns a face so that it begins with its lowest corner; of several, so that what follows is lowest.
+void turnToLowest(std::span<int> face, const std::vector<int>& ranks) {
+  const std::size_t count = face.size();
+  const auto rank = [&](std::size_t k) { return ranks[static_cast<std::size_t>(face[k % count])]; };
+  const auto isLower = [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (rank(a + k) != rank(b + k)) return rank(a + k) < rank(b + k);
+    return false;
+  };
+  std::size_t best = 0;
+  for (std::size_t start = 1; start < count; ++start)
+    if (isLower(start, best)) best = start;
+  std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(best), face.end());
 }
 
 }  // namespace
@@ -41,8 +42,13 @@ std::vector<int> fromLowest(std::span<const int> face, const std::vector<int>& r
 Mesh inOrder(const Mesh& mesh) {
   const std::vector<int> ranks = ranksOf(mesh.points);
   const auto lower = [&](int a, int b) { return ranks[static_cast<std::size_t>(a)] < ranks[static_cast<std::size_t>(b)]; };
-  std::vector<std::vector<int>> faces;
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) faces.push_back(fromLowest(mesh.face(f), ranks));
+  std::vector<int> corners = mesh.faceVertices;
+  std::vector<std::span<int>> faces;
+  faces.reserve(mesh.faceCount());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    faces.push_back(std::span(corners).subspan(static_cast<std::size_t>(mesh.faceStarts[f]), mesh.face(f).size()));
+    turnToLowest(faces.back(), ranks);
+  }
   std::stable_sort(faces.begin(), faces.end(), [&](const auto& a, const auto& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lower);
   });
@@ -63,7 +69,7 @@ Mesh inOrder(const Mesh& mesh) {
     number[static_cast<std::size_t>(v)] = static_cast<int>(result.points.size());
     result.points.push_back(mesh.points[static_cast<std::size_t>(v)]);
   }
-  for (auto& face : faces) {
+  for (const auto& face : faces) {
     for (int& v : face) v = number[static_cast<std::size_t>(v)];
     result.addFace(face);
   }

@@ -10,14 +10,17 @@
 #include "core/error.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
 #include "geometry/shape/bounds.h"
 #include "kernel/arrangement/numbers.h"
 #include "kernel/convex/convex_surface.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
+#include "kernel/manifold.h"
 #include "kernel/rounding/kept.h"
 #include "kernel/solid_check.h"
+#include "kernel/welded.h"
 
 namespace blossom::morphology {
 
@@ -92,6 +95,49 @@ std::optional<CheckedSolid> checkedIfSound(const Mesh& mesh, double step, const 
   }
 }
 
+/// Whether rounding brings corners together that lie apart.
+bool bringsCornersTogether(const Mesh& before, const Mesh& after, const Progress& progress) {
+  const std::vector<int> first = mergeEqualPoints(after.points, progress);
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (before.points[k] != before.points[static_cast<std::size_t>(first[k])]) return true;
+  return false;
+}
+
+/// How thin what is gone may have been that was thicker than rounding, or 0. Of what is open nobody knows what it enclosed.
+double thicknessGone(const Mesh& given, const Mesh& rounded, const CheckedSolid& made, double step,
+                     const Progress& progress) {
+  const double size = bounds(given).diagonal(), thickness = 2 * step;
+  if (thickness <= thicknessOfRounding * size) return 0;
+  const Mesh before = snapped(given, std::ldexp(1, std::ilogb(thicknessOfRounding * size)));
+  if (!made.isLess && !bringsCornersTogether(before, rounded, progress)) return 0;
+  const Mesh joined = withoutInnerWalls(withSharedPoints(before, progress), progress);
+  if (!meshTopology(joined, progress).closed()) return 0;
+  const Mesh triangles = manifoldOf(triangulated(joined, progress).first, progress);
+  return losesDetails(triangles, made.triangles, size, step, progress) ? thickness : 0;
+}
+
+std::string goneWarning(const Subject& subject, double thickness) {
+  return fmt::format("{}: {}", subject.name, RoundingLoss{0, thickness}.sentences());
+}
+
+/// Rounded as is usual, or to the finest grid where that takes something away: unless bodies meet, which may touch but for
+/// rounding, and be apart there.
+CheckedOnGrid checkedOnUsualGrid(const Mesh& mesh, const CommonGrid& grid, const Subject& subject,
+                                 const Progress& progress) {
+  const double usual = grid.usualStep();
+  const Mesh rounded = snapped(mesh, usual);
+  CheckedOnGrid made{checkedSolid(rounded, usual, subject, progress), usual};
+  const double thickness = thicknessGone(mesh, rounded, made.solid, usual, progress);
+  if (!(thickness > 0)) return made;
+  if (!made.solid.shellsMeet) {
+    const Mesh exact = snapped(mesh, grid.step);
+    if (auto checked = checkedIfSound(exact, grid.step, subject, progress))
+      if (!(thicknessGone(mesh, exact, *checked, grid.step, progress) > 0)) return {*std::move(checked), grid.step};
+  }
+  made.solid.warnings.push_back(goneWarning(subject, thickness));
+  return made;
+}
+
 /// Rounding may make faces cross that do not: then the finest grid is tried, which keeps nearly all doubles as they are, and
 /// coarser ones at last. These close cracks, too; sheets that would fall into one and vanish are no cracks.
 /// @param given the same where it lies: moving it has rounded it, too
@@ -99,20 +145,18 @@ CheckedOnGrid checkedOnGrid(const Mesh& mesh, const Mesh& given, const CommonGri
                             const Progress& progress) {
   const double usual = grid.usualStep();
   try {
-    return {checkedSolid(snapped(mesh, usual), usual, subject, progress), usual};
+    return checkedOnUsualGrid(mesh, grid, subject, progress);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidInput || firstCrossing(given, progress)) throw;
     if (auto checked = checkedIfSound(snapped(mesh, grid.step), grid.step, subject, progress))
       return {*std::move(checked), grid.step};
-    const Mesh triangles = triangulated(mesh, progress).first;
+    const Mesh triangles = triangulated(withSharedPoints(mesh, progress), progress).first;
     const bool wasOpen = !isClosed(given, progress);
     const auto coarser = onCoarserGrid(triangles, usual, progress);
     if (!coarser) throw;
     CheckedOnGrid made{checkedSolid(coarser->triangles, coarser->step, subject, progress), coarser->step, wasOpen};
     if (wasOpen && !keepsPlaces(triangles, made.solid.triangles, made.step, coarser->loss.thickness > 0, progress)) throw;
-    if (coarser->loss.thickness > 0)
-      made.solid.warnings.push_back(
-          fmt::format("{}: {}", subject.name, RoundingLoss{0, coarser->loss.thickness}.sentences()));
+    if (coarser->loss.thickness > 0) made.solid.warnings.push_back(goneWarning(subject, coarser->loss.thickness));
     return made;
   }
 }
@@ -160,7 +204,8 @@ Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress
                       (!checked.warnings.empty() && firstCrossing(checked.triangles, progress));
   result.warnings = std::move(checked.warnings);
   result.bounds = boundsOfPoints(checked.triangles.points);
-  if (!result.bodiesMeet) result.prisms = prismsOf(checked.triangles, usual, progress);
+  const bool isFiner = step < usual;  // with details that sections would lose
+  if (!result.bodiesMeet && !isFiner) result.prisms = prismsOf(checked.triangles, usual, progress);
   result.hull = hullOfConvex(checked.triangles);
   result.triangles = result.hull.faceCount() > 0 ? result.hull : std::move(checked.triangles);
   return result;

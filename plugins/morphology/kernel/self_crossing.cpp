@@ -168,6 +168,7 @@ void refuseCrossing(CheckedSolid& solid, double near, const Subject& subject, co
           subject.name, subject.place(*beside), crack));
     }
   }
+  solid.shellsMeet = found.between.has_value();
   if (found.between)
     solid.warnings.push_back(fmt::format("{} has bodies that touch or overlap near {}; they count as one.", subject.name,
                                          subject.place(*found.between)));

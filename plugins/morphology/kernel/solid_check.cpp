@@ -4,82 +4,25 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 #include "core/error.h"
 #include "geometry/mesh/mesh_topology.h"
-#include "geometry/numeric/point_merge.h"
 #include "geometry/shape/bounds.h"
+#include "kernel/flatness.h"
 #include "kernel/manifold.h"
+#include "kernel/rounding/mean_thickness.h"
+#include "kernel/rounding/slivers.h"
 #include "kernel/self_crossing.h"
-#include "kernel/slivers.h"
 #include "kernel/turned_shells.h"
+#include "kernel/welded.h"
 
 namespace blossom::morphology {
 
 namespace {
 
 constexpr double farthest = 1e9;  // mm
-
-struct NumbersHash {
-  template <class Numbers>
-  std::size_t operator()(const Numbers& numbers) const {
-    std::size_t sum = 0;
-    for (const auto number : numbers)
-      sum = (std::rotl(sum, 5) ^ std::hash<typename Numbers::value_type>()(number)) * 0x9E3779B97F4A7C15ULL;
-    return sum;
-  }
-};
-
-/// Faces that use the same place use the same vertex, and no face uses one twice in a row.
-Mesh withSharedPoints(const Mesh& mesh, const Progress& progress) {
-  const std::vector<int> first = mergeEqualPoints(mesh.points, progress);
-  Mesh result;
-  result.points = mesh.points;
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    std::vector<int> face;
-    for (const int v : mesh.face(f)) {
-      const int vertex = first[static_cast<std::size_t>(v)];
-      if (face.empty() || face.back() != vertex) face.push_back(vertex);
-    }
-    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
-    if (face.size() > 2) result.addFace(face);
-  }
-  return result;
-}
-
-/// The vertices of a face from the lowest one on, so that equal faces read alike.
-std::vector<int> fromLowest(std::vector<int> face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
-
-/// Bodies that share a whole face are one body: the face and its counterpart, which looks back at it, enclose nothing.
-Mesh withoutInnerWalls(const Mesh& mesh, const Progress& progress) {
-  std::unordered_map<std::vector<int>, std::vector<std::size_t>, NumbersHash> waiting;  // for their counterparts
-  waiting.reserve(mesh.faceCount());
-  std::vector<bool> inner(mesh.faceCount());
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-    if (f % 4096 == 0) progress.check();
-    const std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
-    const auto back = waiting.find(fromLowest({face.rbegin(), face.rend()}));
-    if (back == waiting.end() || back->second.empty()) {
-      waiting[fromLowest(face)].push_back(f);
-      continue;
-    }
-    inner[f] = inner[back->second.back()] = true;
-    back->second.pop_back();
-  }
-  Mesh result;
-  result.points = mesh.points;
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    if (!inner[f]) result.addFace(mesh.face(f));
-  return result;
-}
 
 void refuseOpen(const Mesh& mesh, const MeshTopology& topology, const Subject& subject) {
   for (const MeshEdge& edge : topology.edges) {
@@ -117,14 +60,16 @@ CheckedSolid checkedShells(const Mesh& shared, double step, const Subject& subje
   solid.triangles = manifoldOfTriangles(solid.triangles, progress);
   const MeshTopology topology = meshTopology(solid.triangles, progress);
   if (step > 0)
-    if (auto thicker = withoutSlivers(solid.triangles, topology, step, step, progress))
+    if (auto thicker = withoutSlivers(solid.triangles, topology, step, step, progress)) {
       solid.triangles = *std::move(thicker);
+      solid.isLess = true;
+    }
   if (solid.triangles.faceCount() == 0) throw enclosesNothing(subject);
   turnOutwards(solid, subject, progress);
   if (solid.bodyInBody)
     solid.warnings.push_back(fmt::format("{} has a body near {} that lies within another one: both are taken as one.",
                                          subject.name, subject.place(*solid.bodyInBody)));
-  if (signedVolume(solid.triangles) <= 1e-12 * bounds(solid.triangles).diagonal() * area(solid.triangles))
+  if (meanThickness(solid.triangles) <= 2 * thicknessOfRounding * bounds(solid.triangles).diagonal())
     throw enclosesNothing(subject);
   constexpr double near = 4;  // steps: enough for the rounding of both
   refuseCrossing(solid, near * step, subject, progress);

@@ -13,6 +13,8 @@ struct CheckedSolid {
   Mesh triangles;  ///< closed, oriented outward, no triangle of zero area, no intersections
   std::vector<std::string> warnings;
   std::optional<Vec3> bodyInBody = std::nullopt;  ///< where a body lies within another one
+  bool isLess = false;                            ///< bodies or voids thinner than the step of the grid are left out
+  bool shellsMeet = false;                        ///< they overlap or touch
   double wallsWithin = 0;  ///< mm between faces in which bodies touch but for rounding; 0: they do not
 };
 

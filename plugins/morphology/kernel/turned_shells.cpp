@@ -7,6 +7,7 @@
 #include "geometry/mesh/closed_triangles.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/winding_field.h"
+#include "kernel/rounding/mean_thickness.h"
 
 namespace blossom::morphology {
 
@@ -43,7 +44,7 @@ struct Places {
 
 Places placesOf(const Mesh& triangles, const MeshTopology& topology, const Progress& progress) {
   if (topology.components.size() == 1)
-    return {{signedVolume(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt}, std::nullopt};
+    return {{meanThickness(triangles) < 0 ? std::optional(triangles.points.front()) : std::nullopt}, std::nullopt};
   const auto shells = shellsOf(triangles, topology);
   std::vector<Triangle3> all;
   for (const auto& shell : shells) all.insert(all.end(), shell.begin(), shell.end());

@@ -29,15 +29,26 @@ std::vector<Vec2> flattened(std::span<const Vec3> polygon) {
   return result;
 }
 
-/// A distance from an edge below this may be rounding of the polygon's corners, or is insignificant.
-double nothing(std::span<const Vec3> polygon) {
-  double largest = 0, extent = 0;
+/// Of the coordinates of a polygon.
+struct Extent {
+  double largest = 0;  ///< away from the origin
+  double across = 0;   ///< from one corner to any other
+};
+
+Extent extentOf(std::span<const Vec3> polygon) {
+  Extent extent;
   for (const Vec3& p : polygon) {
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    extent = std::max(extent, (p - polygon[0]).cwiseAbs().maxCoeff());
+    extent.largest = std::max(extent.largest, p.cwiseAbs().maxCoeff());
+    extent.across = std::max(extent.across, (p - polygon[0]).cwiseAbs().maxCoeff());
   }
-  return std::max(1e-9 * extent, 16 * std::numeric_limits<double>::epsilon() * largest);
+  return extent;
 }
+
+/// What rounding of its corners may come to.
+double roundingOf(const Extent& extent) { return 16 * std::numeric_limits<double>::epsilon() * extent.largest; }
+
+/// A distance from an edge below this may be rounding of the polygon's corners, or is insignificant.
+double nothing(const Extent& extent) { return std::max(1e-9 * extent.across, roundingOf(extent)); }
 
 /// Twice the area of triangles that lie upside down.
 double turnedOver(const std::vector<Vec2>& points, const CornerTriples& triangles) {
@@ -47,19 +58,10 @@ double turnedOver(const std::vector<Vec2>& points, const CornerTriples& triangle
   return sum;
 }
 
-double turnedByRounding(std::span<const Vec3> polygon) {
-  double largest = 0, extent = 0;
-  for (const Vec3& p : polygon) {
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    extent = std::max(extent, (p - polygon[0]).cwiseAbs().maxCoeff());
-  }
-  return 16 * std::numeric_limits<double>::epsilon() * largest * extent;
-}
-
 /// Both triangles of the diagonal must turn the right way, and by more than rounding; of two such diagonals the shorter one.
 CornerTriples splitQuad(std::span<const Vec3> quad) {
   const std::vector<Vec2> p = flattened(quad);
-  const double minimum = nothing(quad) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
+  const double minimum = nothing(extentOf(quad)) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
   const double first = std::min(turn(p[0], p[1], p[2]), turn(p[0], p[2], p[3]));
   const double second = std::min(turn(p[0], p[1], p[3]), turn(p[1], p[2], p[3]));
   const bool bothGood = first > minimum && second > minimum;
@@ -168,13 +170,14 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon, const
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return splitQuad(polygon);
   const std::vector<Vec2> points = flattened(polygon);
+  const Extent extent = extentOf(polygon);
   const auto clipped = [&](bool spikesFirst) {
-    return points.size() > large ? triangulateLarge(points, nothing(polygon), spikesFirst, progress)
-                                 : EarClipper(points, nothing(polygon)).run(spikesFirst);
+    return points.size() > large ? triangulateLarge(points, nothing(extent), spikesFirst, progress)
+                                 : EarClipper(points, nothing(extent)).run(spikesFirst);
   };
   CornerTriples triangles = clipped(false);
   const double turned = turnedOver(points, triangles);
-  if (turned <= turnedByRounding(polygon)) return triangles;
+  if (turned <= roundingOf(extent) * extent.across) return triangles;
   // It crosses itself; where that is by rounding alone, spikes that go first leave a polygon that does not.
   CornerTriples others = clipped(true);
   return turnedOver(points, others) < turned ? others : triangles;

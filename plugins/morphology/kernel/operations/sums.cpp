@@ -134,8 +134,11 @@ MorphologyResult plainClosing(const Operand& a, const Operand& b, const Progress
     work.finish(pair.a, pair.grid, 0.1, 1);
     return work.result();
   }
-  const auto requireClosed = [](bool empty) {
-    if (empty) throw Error(ErrorCode::Internal, "The closing has lost the solid.", "Please report the two shapes.");
+  const auto requireClosed = [&](bool empty) {
+    if (empty)
+      throw Error(ErrorCode::Degenerate,
+                  fmt::format("{} is too thin beside {}: rounding has lost it.", a.name, insideSentence(b.name)),
+                  "Close it with a smaller shape.");
   };
   const auto ofPrisms = [&](const Prism& p, const Prism& q, const Progress& part) {
     std::optional<Prism> closed = difference(sum(p, q, part.part(0, 0.5)), q, part.part(0.5, 1));

@@ -9,6 +9,7 @@
 #include "core/frame_progress.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
+#include "kernel/flatness.h"
 #include "kernel/self_crossing.h"
 #include "kernel/side_by_side.h"
 
@@ -95,6 +96,9 @@ Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double 
   const Term by = half > 0 ? Term{cube, {}} : Term{none, origin};
   Mesh made = taken(arrangedSum(termOf(operand), by, grid.step, progress_.part(from, to)), operand);
   if (made.faceCount() == 0) refuseTurnedShell(operand);
+  // By which its corners have moved.
+  if (const double moved = std::sqrt(3) * half; moved > thicknessOfRounding * operand.bounds.diagonal())
+    loss_.add({moved, 0});
   return made;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/mesh/mesh_topology.h"
 #include "geometry/planar/area_triangulation.h"
 #include "geometry/planar/polygons/grid.h"
 #include "geometry/planar/sums/polygon_sum.h"
@@ -26,28 +27,56 @@ class AlongAxis {
 
   [[nodiscard]] std::optional<Prism> prism(const Progress& progress) const {
     if (high_ - low_ <= 2 * near_ * step_) return std::nullopt;
-    std::vector<CountedEdge> sides;  // of the triangles of the upper end: those inside cancel each other
+    double ofWalls = 0, ofUpperEnd = 0, ofLowerEnd = 0;  // areas
     for (std::size_t f = 0; f < mesh_.faceCount(); ++f) {
       const std::span<const int> face = mesh_.face(f);
-      if (isAt(face, low_)) continue;
-      const std::array<GridPoint, 3> at{seen(face[0]), seen(face[1]), seen(face[2])};
-      if (isAt(face, high_))
-        for (std::size_t k = 0; k < 3; ++k) sides.push_back({at[k], at[(k + 1) % 3]});
-      else if (!isWall(at))
+      const bool isLow = isAt(face, low_), isHigh = !isLow && isAt(face, high_);
+      if (!isLow && !isHigh && !isWall({seen(face[0], step_), seen(face[1], step_), seen(face[2], step_)}))
         return std::nullopt;
+      (isLow    ? ofLowerEnd
+       : isHigh ? ofUpperEnd
+                : ofWalls) += vectorArea(std::array{point(face[0]), point(face[1]), point(face[2])}).norm();
     }
-    std::erase_if(sides, [](const CountedEdge& side) { return side.from == side.to; });
-    planar::joinEqual(sides, progress);
-    Polygons section = planar::scaled(planar::windingFaces(sides, progress), step_);
-    if (section.empty()) return std::nullopt;
+    Polygons section = sectionOn(step_, progress);
+    const double boundary = ofWalls / (high_ - low_);
+    if (section.empty() || std::abs(ofLowerEnd - ofUpperEnd) > slack_ * step_ * boundary) return std::nullopt;
+    if (!isAll(sectionOn(thin_ * step_, progress), ofUpperEnd, boundary)) return std::nullopt;
     return Prism{axis_, std::move(section), low_, high_};
   }
 
  private:
   [[nodiscard]] const Vec3& point(int vertex) const { return mesh_.points[static_cast<std::size_t>(vertex)]; }
-  [[nodiscard]] GridPoint seen(int vertex) const {
+  [[nodiscard]] GridPoint seen(int vertex, double unit) const {
     const Vec3& p = point(vertex);
-    return {std::llround(p[(axis_ + 1) % 3] / step_), std::llround(p[(axis_ + 2) % 3] / step_)};
+    return {std::llround(p[(axis_ + 1) % 3] / unit), std::llround(p[(axis_ + 2) % 3] / unit)};
+  }
+  /// What the triangles of the upper end cover: sides between them cancel each other.
+  [[nodiscard]] Polygons sectionOn(double unit, const Progress& progress) const {
+    std::vector<CountedEdge> sides;
+    for (std::size_t f = 0; f < mesh_.faceCount(); ++f) {
+      const std::span<const int> face = mesh_.face(f);
+      if (!isAt(face, high_)) continue;
+      for (std::size_t k = 0; k < 3; ++k) sides.push_back({seen(face[k], unit), seen(face[(k + 1) % 3], unit)});
+    }
+    std::erase_if(sides, [](const CountedEdge& side) { return side.from == side.to; });
+    planar::joinEqual(sides, progress);
+    return planar::scaled(planar::windingFaces(sides, progress), unit);
+  }
+  /// Whether a section on a grid of `thin_` steps has as much area and boundary: sums of sections would lose what it lost.
+  [[nodiscard]] bool isAll(const Polygons& section, double area, double boundary) const {
+    double covered = 0, around = 0, corners = 8;
+    const auto add = [&](const Loop& loop) {
+      covered += planar::signedArea(loop);
+      for (std::size_t k = 0; k < loop.size(); ++k) around += (loop[(k + 1) % loop.size()] - loop[k]).norm();
+      corners += static_cast<double>(loop.size());
+    };
+    for (const Polygon& polygon : section) {
+      add(polygon.outer);
+      for (const Loop& hole : polygon.holes) add(hole);
+    }
+    const double slack = slack_ * step_, ofHeight = 1e-12 + 4 * near_ * step_ / (high_ - low_);
+    return std::abs(covered - area) <= slack * boundary &&
+           std::abs(around - boundary) <= slack * corners + ofHeight * boundary;
   }
   [[nodiscard]] bool isAt(std::span<const int> face, double height) const {
     return std::all_of(face.begin(), face.end(),
@@ -62,7 +91,9 @@ class AlongAxis {
     return std::abs(static_cast<double>(cross(at[1] - at[0], at[2] - at[0]))) <= near_ * longest;
   }
 
-  static constexpr double near_ = 2;  ///< steps: what rounding to the grid does to a plane
+  static constexpr double near_ = 2;   ///< steps: what rounding to the grid does to a plane
+  static constexpr double thin_ = 16;  ///< steps: sections may lose what is thinner
+  static constexpr double slack_ = 4 * thin_;
 
   const Mesh& mesh_;
   int axis_;

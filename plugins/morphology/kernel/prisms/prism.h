@@ -17,7 +17,8 @@ struct Prism {
 };
 
 /// The solid as a prism along every axis along which it is one: its faces are flat ends and walls parallel to the axis,
-/// within two steps, which is what rounding does to them. Sections are rounded to multiples of `step`. O(n log n).
+/// within two steps, which is what rounding does to them, and no parts or gaps of it are thinner than some. Sections are
+/// rounded to multiples of `step`. O(n log n).
 /// @pre closed, oriented triangles without crossings, with coordinates of at most 2^46 steps
 std::vector<Prism> prismsOf(const Mesh& triangles, double step, const Progress& = Progress::none());
 

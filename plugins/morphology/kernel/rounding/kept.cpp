@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/mesh/polygon_triangulation.h"
 #include "geometry/mesh/triangle_distance.h"
 
 namespace blossom::morphology {
@@ -60,12 +61,17 @@ std::ptrdiff_t eulerNumber(const Mesh& mesh, const MeshTopology& topology) {
   return vertices - std::ssize(topology.edges) + static_cast<std::ptrdiff_t>(mesh.faceCount());
 }
 
-/// Of a polygon whose corners all turn one way: no triangles of it fold.
-bool turnsOneWay(const Mesh& mesh, std::span<const int> face, const Vec3& normal) {
+/// Of a polygon whose corners all turn one way, once around: no triangles of it fold.
+bool isConvex(const Mesh& mesh, std::span<const int> face, const Vec3& normal) {
   const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(face[k % face.size()])]; };
-  for (std::size_t k = 0; k < face.size(); ++k)
-    if (!((at(k + 1) - at(k)).cross(at(k + 2) - at(k + 1)).dot(normal) > 0)) return false;
-  return true;
+  const auto turns = [&](const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).dot(normal); };
+  const Vec3 first = at(1) - at(0);
+  int turnsBack = 0;  // of the way along the first side
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    if (!(turns(at(k), at(k + 1), at(k + 2)) > 0) || turns(at(0), at(k), at(k + 1)) < 0) return false;
+    if ((at(k + 1) - at(k)).dot(first) >= 0 && (at(k + 2) - at(k + 1)).dot(first) < 0) ++turnsBack;
+  }
+  return turnsBack == 1;
 }
 
 double perimeterOf(std::span<const Vec3> polygon) {
@@ -76,15 +82,16 @@ double perimeterOf(std::span<const Vec3> polygon) {
 
 }  // namespace
 
-bool foldsBack(const Mesh& polygons, double size, double moved) {
+bool foldsBack(const Mesh& polygons, double size, double moved, const Progress& progress) {
   for (std::size_t f = 0; f < polygons.faceCount(); ++f) {
+    if (f % 1024 == 0) progress.check();
     const auto face = polygons.face(f);
     if (face.size() < 4) continue;
     const std::vector<Vec3> corners = facePoints(polygons, f);
     const Vec3 normal = vectorArea(corners);
-    if (turnsOneWay(polygons, face, normal)) continue;
+    if (isConvex(polygons, face, normal)) continue;
     double sum = 0;
-    for (const auto& [a, b, c] : triangulate(corners)) {
+    for (const auto& [a, b, c] : triangulate(corners, progress)) {
       const auto at = [&](int k) -> const Vec3& { return corners[static_cast<std::size_t>(k)]; };
       sum += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
     }
@@ -93,16 +100,16 @@ bool foldsBack(const Mesh& polygons, double size, double moved) {
   return false;
 }
 
-bool keepsVolume(const Mesh& before, const Mesh& after, double size, double moved) {
-  const Mesh triangles = triangulated(after).first;
+bool keepsVolume(const Mesh& before, const Mesh& after, double size, double moved, const Progress& progress) {
+  const Mesh triangles = triangulated(after, progress).first;
   const double areaBefore = area(before), roundOff = 1e-13 * size * size;
   if (std::abs(signedVolume(triangles) - signedVolume(before)) > 2 * moved * areaBefore + roundOff * size) return false;
   return area(triangles) <= areaBefore + stripsOf(before, 2 * moved) + stripsOf(triangles, 2 * moved) + roundOff;
 }
 
-bool losesDetails(const Mesh& before, const Mesh& after, double size, double moved) {
-  const Mesh triangles = triangulated(after).first;
-  const MeshTopology first = meshTopology(before), last = meshTopology(triangles);
+bool losesDetails(const Mesh& before, const Mesh& after, double size, double moved, const Progress& progress) {
+  const Mesh triangles = triangulated(after, progress).first;
+  const MeshTopology first = meshTopology(before, progress), last = meshTopology(triangles, progress);
   if (last.components.size() < first.components.size() || eulerNumber(before, first) != eulerNumber(triangles, last))
     return true;
   return area(triangles) < area(before) - stripsOf(before, 2 * moved) - 1e-13 * size * size;

@@ -33,6 +33,15 @@ inline Arc2 arcBetween(const Vec2& from, const Vec2& to, double sweep) {
   return {center, out.norm(), std::atan2(out.y(), out.x()), sweep};
 }
 
+/// The farthest that one side ends from the beginning of the next.
+inline double largestGap(const Region& region) {
+  double gap = 0;
+  for (const Path& loop : region.loops)
+    for (std::size_t i = 0; i < loop.segments.size(); ++i)
+      gap = std::max(gap, (endPoint(loop.segments[i]) - startPoint(loop.segments[(i + 1) % loop.segments.size()])).norm());
+  return gap;
+}
+
 inline Region rectangleRegion(const Vec2& low, const Vec2& high) { return {{rectanglePath(low, high)}}; }
 
 inline Region circleRegion(double radius, const Vec2& center = Vec2::Zero()) {

@@ -30,14 +30,6 @@ std::vector<Vec2> convexCorners(Random& random, double reach) {
 
 int arcCountOf(const Region& region) { return static_cast<int>(segmentCountOf<Arc2>(region)); }
 
-double largestGap(const Region& region) {
-  double gap = 0;
-  for (const Path& loop : region.loops)
-    for (std::size_t i = 0; i < loop.segments.size(); ++i)
-      gap = std::max(gap, (endPoint(loop.segments[i]) - startPoint(loop.segments[(i + 1) % loop.segments.size()])).norm());
-  return gap;
-}
-
 double wayAround(const Region& region) {
   double sum = 0;
   for (const Path& loop : region.loops) sum += length(loop);

@@ -103,7 +103,8 @@ class RingFitter {
 
   /// Whether two runs that follow each other lie on one curve.
   [[nodiscard]] bool continues(const Run& run, const Run& next) const {
-    if (!isFree(run.curve) || !isFree(next.curve)) return sameCurve(run.curve, next.curve, fitting_.rounding);
+    if (!isFree(run.curve) || !isFree(next.curve))
+      return sameCurve(run.curve, next.curve, fitting_.rounding) || areOneWhereDrawn(run, next);
     // Free curves may cross themselves. They go on where a side ends, along the same side, or, hollow ones whose sides cross
     // each other, where the normal goes on.
     const FreeSide &last = run.sides.back(), &first = next.sides.front();
@@ -115,6 +116,19 @@ class RingFitter {
     const bool goesOn = isAt(last.from) || isAt(last.to) || (last.from.at == first.from.at && last.to.at == first.to.at) ||
                         oneNormal(last.to, first.from) || oneNormal(last.from, first.to);
     return goesOn && last.name == first.name && (run.corners.back() - corner).norm() <= fitting_.rounding;
+  }
+
+  /// Circles much larger than what is drawn of them: their centres are not known as well as their sides.
+  [[nodiscard]] bool areOneWhereDrawn(const Run& run, const Run& next) const {
+    constexpr double almost = 1e-3;  // of the radius
+    const auto *a = std::get_if<Circle>(&run.curve), *b = std::get_if<Circle>(&next.curve);
+    if (!a || !b || std::abs(a->radius - b->radius) > almost * a->radius) return false;
+    const Vec2& corner = run.corners.back();
+    if ((corner - a->centre).dot(corner - b->centre) <= 0) return false;
+    const auto apart = [&](const Vec2& p) {
+      return std::abs(((p - a->centre).norm() - a->radius) - ((p - b->centre).norm() - b->radius));
+    };
+    return std::max({apart(run.corners.front()), apart(corner), apart(next.corners.back())}) <= fitting_.rounding;
   }
 
   /// Sides go on from the last corner.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/tolerance.h"
 #include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/arc_contacts.h"
 #include "geometry/planar/fitting/spline_samples.h"
@@ -333,11 +334,13 @@ double longestChord(const SampledRegion& region) {
 }
 
 double roundingOf(const SampledRegion& region, const Grid& grid) {
-  double farthest = 0;
-  for (const SampledCorner& corner : region.corners) farthest = std::max(farthest, corner.at.cwiseAbs().maxCoeff());
+  constexpr double roundings = 32 * std::numeric_limits<double>::epsilon();
+  double drawn = 0, withCentres = 0;
+  for (const SampledCorner& corner : region.corners) drawn = std::max(drawn, corner.at.cwiseAbs().maxCoeff());
   for (const BoundaryCurve& arc : region.curves)
-    farthest = std::max(farthest, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
-  return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
+    withCentres = std::max(withCentres, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
+  // Who reads the result takes wider gaps for openings, wherever the centres of its arcs are.
+  return 64 * grid.unit + std::max(roundings * drawn, std::min(roundings * withCentres, Tolerance{}.joining / 4));
 }
 
 }  // namespace blossom::planar

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/tolerance.h"
 #include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/segment_box.h"
@@ -120,13 +121,13 @@ std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, 
   return arcs;
 }
 
+Vec2 beginOf(const Arc2& arc) { return arc.center + arc.radius * unitAt(arc.start); }
+
 /// Makes a line longer by the next one where both are one but for rounding. @returns whether they are
-bool isGoneOn(Segment& segment, const Line2& next, double rounding) {
-  auto* line = std::get_if<Line2>(&segment);
-  if (!line) return false;
-  const Vec2 along = next.to - line->from;
-  if (std::abs(cross(along, next.from - line->from)) > rounding * along.norm()) return false;
-  line->to = next.to;
+bool isGoneOn(Line2& line, const Line2& next, double rounding) {
+  const Vec2 along = next.to - line.from;
+  if (std::abs(cross(along, next.from - line.from)) > rounding * along.norm()) return false;
+  line.to = next.to;
   return true;
 }
 
@@ -140,22 +141,37 @@ double mostRounding(const Region& region) {
 
 Region convexSum(const Region& a, const Region& b, const Progress& progress) {
   const Fans fansA(a.loops.front(), progress), fansB(b.loops.front(), progress);
-  const double rounding = std::min(1e-15 * (fansA.reach() + fansB.reach()), mostRounding(a) + mostRounding(b));
+  const double reach = fansA.reach() + fansB.reach(), most = mostRounding(a) + mostRounding(b);
+  const double rounding = std::min(1e-15 * reach, most);
+  // Arcs that are off by the rounding of their centres meet, where the gap is none for those who read the result.
+  const double meets = std::max(rounding, std::min({4e-15 * reach, Tolerance{}.joining / 2, 1000 * most}));
   const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB, rounding, progress);
   Region result;
   Path& path = result.loops.emplace_back();
   path.closed = true;
+  Vec2 at = beginOf(arcs.front());  // where what is drawn ends
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     progress.check();
     const Arc2 &arc = arcs[i], &next = arcs[(i + 1) % arcs.size()];
-    if (arc.radius > 0) path.segments.emplace_back(arc);
-    const Vec2 from = arc.center + arc.radius * unitAt(arc.start + arc.sweep),
-               to = next.center + next.radius * unitAt(next.start);
-    if ((to - from).norm() > rounding && (path.segments.empty() || !isGoneOn(path.segments.back(), {from, to}, rounding)))
-      path.segments.emplace_back(Line2{from, to});
+    if (arc.radius > 0) {
+      path.segments.emplace_back(arc);
+      at = arc.center + arc.radius * unitAt(arc.start + arc.sweep);
+    }
+    const Vec2 to = beginOf(next);
+    const double gap = (to - at).norm();
+    if (gap <= rounding) continue;
+    auto* before = path.segments.empty() ? nullptr : std::get_if<Line2>(&path.segments.back());
+    if (gap <= meets && (arc.radius > 0 || next.radius > 0)) {
+      if (!before) continue;
+      before->to = to;
+    } else if (!before || !isGoneOn(*before, {at, to}, rounding)) {
+      path.segments.emplace_back(Line2{at, to});
+    }
+    at = to;
   }
   const auto* first = std::get_if<Line2>(&path.segments.front());
-  if (first && path.segments.size() > 2 && isGoneOn(path.segments.back(), *first, rounding))
+  auto* last = std::get_if<Line2>(&path.segments.back());
+  if (first && last && path.segments.size() > 2 && isGoneOn(*last, *first, rounding))
     path.segments.erase(path.segments.begin());
   return result;
 }

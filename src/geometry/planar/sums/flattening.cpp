@@ -13,6 +13,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/bounding_polyline.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/polygons/straightened.h"
 #include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/loop_checks.h"
 #include "geometry/planar/sums/shared_sides.h"
@@ -285,23 +286,6 @@ double defaultTolerance(const Region& region) {
   // An outline that encloses nothing is refused in its turn.
   const double byThickness = std::max(shareOfThickness * thicknessOf(region), 1e-3 * bySize);
   return std::min({largestTolerance, bySize, byThickness});
-}
-
-void straighten(Path& path, double tolerance) {
-  constexpr double large = 1e4, share = 1e-3;
-  const double size = boxAround({&path, 1}).sizes().maxCoeff();
-  const std::size_t count = path.segments.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    Segment& segment = path.segments[k];
-    const auto* arc = std::get_if<Arc2>(&segment);
-    if (!arc || arc->radius < large * size) continue;
-    const double bow = 2 * arc->radius * std::pow(std::sin(arc->sweep / 4), 2);
-    if (bow > share * tolerance) continue;
-    // The neighbours know better where it ends.
-    const bool hasBefore = count > 1 && (path.closed || k > 0), hasNext = count > 1 && (path.closed || k + 1 < count);
-    segment = Line2{hasBefore ? endPoint(path.segments[(k + count - 1) % count]) : startPoint(segment),
-                    hasNext ? startPoint(path.segments[(k + 1) % count]) : endPoint(segment)};
-  }
 }
 
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,

@@ -31,10 +31,6 @@ double defaultTolerance(const Region&);
 /// Twice the area over the perimeter: the width of a long strip, the radius of a disc. 0 of an empty region.
 double thicknessOf(const Region&);
 
-/// Arcs of circles 10,000 times as large as the path that leave their chord by less than a thousandth of the tolerance
-/// become lines: rounding of centres so far away would show.
-void straighten(Path&, double tolerance);
-
 /// Polygons within the tolerance of a region. Parts that touch along edges are joined.
 /// @param name of the region in messages, "control shape 2"
 /// @throws Error, always with the place, InvalidInput when the region is empty, open, not finite, crosses itself or has a

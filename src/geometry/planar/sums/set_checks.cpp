@@ -6,6 +6,7 @@
 #include "core/tolerance.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/refusal.h"
+#include "geometry/planar/polygons/straightened.h"
 #include "geometry/planar/segment_box.h"
 #include "geometry/planar/sums/flattening.h"
 

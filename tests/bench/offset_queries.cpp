@@ -14,6 +14,7 @@
 
 #include "core/memory.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/polygons/sound_region.h"
 #include "pocket/kernel/medial/boundary.h"
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/curved_regions.h"
@@ -51,9 +52,11 @@ std::vector<Outline> outlines() {
   for (const int spikes : {5, 20, 80})
     all.push_back({fmt::format("star of {} spikes, a spline", spikes), roundedStar(spikes, 50)});
   if (!std::filesystem::exists(sharedData())) return all;
-  for (const char* name : {"butterfly", "cat", "flower", "jellyfish", "owl", "snowflake"})
-    all.push_back(
-        {name, toRegion(*readShape(formats(), sharedData() / "svg" / (std::string(name) + ".svg")).shape.get<Curves>())});
+  for (const auto& file : std::filesystem::directory_iterator(sharedData() / "svg")) {
+    Region region = toRegion(*readShape(formats(), file.path()).shape.get<Curves>());
+    if (planar::hasSplines(region)) all.push_back({file.path().stem().string(), std::move(region)});
+  }
+  std::sort(all.begin(), all.end(), [](const Outline& a, const Outline& b) { return a.name < b.name; });
   return all;
 }
 

@@ -159,4 +159,42 @@ void Diagram::markParts() {
   }
 }
 
+namespace {
+
+/// A step along the parts on one side, low above high when there are none.
+CellStep stepOn(Where side, std::size_t half, const EdgeParts& parts) {
+  CellStep step{half, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (int k = 0; k < parts.count; ++k) {
+    const EdgePart& part = parts.part[static_cast<std::size_t>(k)];
+    if (part.where != side) continue;
+    step.low = std::min({step.low, part.from, part.to});
+    step.high = std::max({step.high, part.from, part.to});
+  }
+  return step;
+}
+
+}  // namespace
+
+void Diagram::findWalks() {
+  const auto& edges = graph_.edges;
+  for (const Where side : {Where::Inside, Where::Outside}) {
+    CellWalks made;
+    std::vector<bool> seen(edges.size(), false);
+    for (std::size_t start = 0; start < edges.size(); ++start) {
+      CellWalk walk{made.steps.size(), 0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+      for (std::size_t h = start; !seen[h]; h = edges[h].next) {
+        seen[h] = true;
+        const CellStep step = stepOn(side, h, parts_[h / 2]);
+        if (step.low > step.high) continue;
+        made.steps.push_back(step);
+        walk.low = std::min(walk.low, step.low);
+        walk.high = std::max(walk.high, step.high);
+      }
+      walk.count = made.steps.size() - walk.first;
+      if (walk.count > 0) made.walks.push_back(walk);
+    }
+    walks_[side == Where::Inside ? 0 : 1] = std::move(made);
+  }
+}
+
 }  // namespace blossom::pocket

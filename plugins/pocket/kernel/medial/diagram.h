@@ -23,6 +23,20 @@ struct EdgeParts {
   bool primary = true;  ///< not between a piece and its own end
 };
 
+/// The half-edges of a cell on one side of the boundary, in order, with the clearances that their parts pass through.
+struct CellStep {
+  std::size_t half = 0;
+  double low = 0, high = 0;
+};
+struct CellWalk {
+  std::size_t first = 0, count = 0;  ///< of the steps
+  double low = 0, high = 0;          ///< of all of them
+};
+struct CellWalks {
+  std::vector<CellWalk> walks;
+  std::vector<CellStep> steps;
+};
+
 /// A verified Voronoi diagram of a boundary, with the clearance of its vertices and edges. Immutable.
 class Diagram {
  public:
@@ -35,6 +49,8 @@ class Diagram {
   [[nodiscard]] double clearance(std::size_t vertex) const { return clearance_[vertex]; }
   [[nodiscard]] Where where(std::size_t vertex) const { return where_[vertex]; }
   [[nodiscard]] const EdgeParts& parts(std::size_t edge) const { return parts_[edge]; }
+  /// Around all cells that have edges on that side, which is not Unknown.
+  [[nodiscard]] const CellWalks& walks(Where side) const { return walks_[side == Where::Inside ? 0 : 1]; }
   /// The point of a part with clearance d, which must lie between the clearances of its ends.
   [[nodiscard]] Vec2 pointAt(std::size_t edge, int part, double d) const;
   /// A bounded half-edge from its origin to its target as (x, y, clearance), a polyline within `chord`.
@@ -50,6 +66,7 @@ class Diagram {
   void findSides(const Boundary&);
   void findParts();
   void markParts();
+  void findWalks();
   /// mm, error at clearance r caused by rounding to the grid.
   [[nodiscard]] double slackAt(double r) const { return slack_ * (1 + r / size_); }
   void certify(const Boundary&, const Progress&) const;
@@ -63,6 +80,7 @@ class Diagram {
   std::vector<double> clearance_;
   std::vector<Where> where_;
   std::vector<EdgeParts> parts_;
+  std::array<CellWalks, 2> walks_;  ///< inside, outside
   std::size_t deepest_ = 0, attempts_ = 0;
   double slack_ = 0, size_ = 1;
   bool exact_ = false;

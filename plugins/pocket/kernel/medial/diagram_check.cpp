@@ -180,6 +180,7 @@ void Diagram::accept(VoronoiGraph graph, const Boundary& boundary, const Progres
     if (leaves && origin != atInfinity && where_[origin] == Where::Inside && !passesThroughBoundary(parts_[h / 2]))
       rejectAt("an inner edge does not end", graph_.vertices[origin]);
   }
+  findWalks();
   certify(boundary, progress);
   deepest_ = atInfinity;
   for (std::size_t v = 0; v < graph_.vertices.size(); ++v)

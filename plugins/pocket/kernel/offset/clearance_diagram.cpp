@@ -14,6 +14,7 @@
 #include "kernel/medial/contact.h"
 #include "kernel/medial/diagram.h"
 #include "kernel/medial/medial.h"
+#include "kernel/offset/curve_arcs.h"
 #include "kernel/offset/offset_loops.h"
 #include "kernel/offset/offset_trace.h"
 
@@ -23,10 +24,14 @@ struct ClearanceDiagram::Parts {
   Parts(const Region& region, const ClearanceOptions& options, const Progress& progress)
       : tolerance(options.tolerance),
         boundary(region, options.tolerance / 4, progress.part(0, 0.1)),
+        arcs(boundary, shareOfArcs * options.tolerance, progress),
         diagram(boundary, options.exactPredicates, progress.part(0.1, 1)) {}
+
+  static constexpr double shareOfArcs = 0.35;
 
   double tolerance;
   Boundary boundary;
+  CurveArcs arcs;
   Diagram diagram;
   Disc largest;
   DiagramStats stats;
@@ -37,23 +42,6 @@ namespace {
 void checkTolerance(double tolerance) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw Error(ErrorCode::InvalidParameter, "The tolerance must be a length above 0.", "0.001 mm is usual.");
-}
-
-/// Where the part is just twice as wide as the distance, as in a slot, the offset there is a line without area, and rounding
-/// alone would decide which of its bits belong to it. The least distance from which on none does: the lines of clearance d
-/// are then traced without them.
-double pastFlatPlaces(const Diagram& diagram, double d, Side side, double slack) {
-  const Where wanted = side == Side::Inside ? Where::Inside : Where::Outside;
-  double past = d;
-  for (std::size_t edge = 0; edge < diagram.graph().edges.size() / 2; ++edge) {
-    const EdgeParts& parts = diagram.parts(edge);
-    for (int i = 0; i < parts.count; ++i) {
-      const EdgePart& part = parts.part[static_cast<std::size_t>(i)];
-      const bool flat = std::abs(part.from - d) <= slack && std::abs(part.to - d) <= slack;
-      if (flat && part.where == wanted) past = std::max({past, part.from, part.to});
-    }
-  }
-  return past;
 }
 
 bool isInside(const EdgeParts& parts) {
@@ -86,10 +74,9 @@ Region ClearanceDiagram::offset(double distance, Side side, const Progress& prog
                                                          formatNumber(distance), formatNumber(boundary.size())));
   }
   Region region;
-  const double past = pastFlatPlaces(parts_->diagram, distance, side, boundary.weld());
-  for (const TracedLoop& loop : traced(parts_->diagram, past, side, progress)) {
+  for (const TracedLoop& loop : traced(parts_->diagram, distance, boundary.weld(), side, progress)) {
     progress.check();
-    Path path = loopOnTrueCurves(boundary, loop, {distance, side, parts_->tolerance});
+    Path path = loopOnTrueCurves(boundary, parts_->arcs, loop, {distance, side, parts_->tolerance});
     // Where the distance equals the clearance along a line, rounding may leave a sliver.
     if (path.segments.empty() || std::abs(signedArea(path)) <= boundary.weld() * length(path)) continue;
     region.loops.push_back(std::move(path));

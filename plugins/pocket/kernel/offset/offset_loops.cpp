@@ -8,15 +8,13 @@
 #include "geometry/planar/segment_point.h"
 #include "kernel/medial/contact.h"
 #include "kernel/offset/arc_fit.h"
+#include "kernel/offset/curve_offset.h"
 
 namespace blossom::pocket {
 
 namespace {
 
 constexpr double turnOnce = 2 * std::numbers::pi;
-constexpr double shareOfArcs = 0.4;  // of the tolerance: half of it goes to the points that arcs pass by
-
-Vec2 toTheLeft(const Vec2& v) { return {-v.y(), v.x()}; }
 
 /// Traced pieces that follow one curve, or go round one corner.
 struct Run {
@@ -27,8 +25,13 @@ struct Run {
 
 class LoopMaker {
  public:
-  LoopMaker(const Boundary& boundary, const TracedLoop& loop, const LoopOptions& options)
-      : boundary_(boundary), pieces_(boundary.pieces()), loop_(loop), o_(options), sign_(o_.side == Side::Inside ? 1 : -1) {}
+  LoopMaker(const Boundary& boundary, const CurveArcs& arcs, const TracedLoop& loop, const LoopOptions& options)
+      : boundary_(boundary),
+        arcs_(arcs),
+        pieces_(boundary.pieces()),
+        loop_(loop),
+        o_(options),
+        sign_(o_.side == Side::Inside ? 1 : -1) {}
 
   Path make() {
     findRuns();
@@ -97,24 +100,16 @@ class LoopMaker {
     return piece.end == Joint::Corner && turnBetween(normalAt(piece, true), normalAt(next, false)) < smoothTurn;
   }
 
-  /// Whether x lies at the distance from the true boundary. Near centres of curvature the exact offset of one curve may come
-  /// closer to the boundary than the chords told, and does not count.
-  [[nodiscard]] bool isAtDistance(const Vec2& x) const {
-    return std::abs(boundary_.nearest(x).distance - o_.distance) <= o_.tolerance / 16;
-  }
-
-  /// Whether x, at the distance from a place of the boundary, is so near to a line traced by the diagram that it can be
-  /// nowhere nearer to the boundary by more than half the tolerance: no chord is nearer to that line than the distance, and
-  /// no curve by more than a chord's error, a quarter of the tolerance. Arcs through such points take most of the other
-  /// half.
-  [[nodiscard]] bool isBeside(const Vec2& x, const TracedPiece& traced) const {
-    return distanceTo(Segment(Line2{traced.from, traced.to}), x) <= o_.tolerance / 4;
+  /// Whether a point at the distance from two curves is at that distance from the boundary, as one is that lies beside a
+  /// point that the diagram has: no chord is nearer to that one, and no curve by more than a chord's error.
+  [[nodiscard]] bool counts(const Vec2& exact, const Vec2& traced) const {
+    return (exact - traced).norm() <= o_.tolerance / 4 || isAtDistance(boundary_, exact, o_.distance, o_.tolerance / 16);
   }
 
   /// Where run ends and the next begins, on the true curves; as the chords have it when that cannot be told.
   [[nodiscard]] Vec2 jointAfter(std::size_t i) const {
     const auto exact = exactJoint(i);
-    return exact && isAtDistance(*exact) ? *exact : at(i).to;
+    return exact && counts(*exact, at(i).to) ? *exact : at(i).to;
   }
 
   [[nodiscard]] std::optional<Vec2> exactJoint(std::size_t i) const {
@@ -150,7 +145,7 @@ class LoopMaker {
     const Contact a = contactOf(boundary_, at(runs_[r].first + runs_[r].count - 1).site, guess);
     const Contact b = contactOf(boundary_, at(runs_[next].first).site, guess);
     const auto exact = pointAtDistance(a, b, o_.distance, guess, std::max(200 * boundary_.chord(), 1e-3 * o_.distance));
-    return exact && isAtDistance(*exact) ? *exact : guess;
+    return exact && isAtDistance(boundary_, *exact, o_.distance, o_.tolerance / 16) ? *exact : guess;
   }
 
   /// Runs that exact joints leave no length: their neighbours meet instead.
@@ -187,8 +182,10 @@ class LoopMaker {
       const double turn = of->sweep > 0 ? 1 : -1;
       out.push_back(arc(run, of->center, of->radius - sign_ * turn * o_.distance, turn, from, to));
     } else {
-      for (Segment& segment : fittedArcs(samplesOf(run, from, to), shareOfArcs * o_.tolerance))
-        out.push_back(std::move(segment));
+      const auto curve = static_cast<std::size_t>(run.curve - boundary_.curves().data());
+      const CurveRun along{&boundary_, &arcs_,      curve, &loop_,      run.first % loop_.size(),
+                           run.count,  o_.distance, sign_, o_.tolerance};
+      for (Segment& segment : offsetAlong(along, from, to)) out.push_back(std::move(segment));
     }
   }
 
@@ -209,61 +206,8 @@ class LoopMaker {
     return arcBetween(from, to, sweep);
   }
 
-  [[nodiscard]] TangentPoint offsetOf(const TrueCurve::Place& place) const {
-    return {place.point + sign_ * o_.distance * toTheLeft(place.tangent), place.tangent};
-  }
-
-  [[nodiscard]] std::vector<TangentPoint> samplesOf(const Run& run, const Vec2& from, const Vec2& to) const {
-    const auto footFrom = [&](std::size_t i, const Vec2& x) {
-      Contact contact = contactOf(boundary_, at(i).site, x);
-      contact.margin = 0;
-      footOn(contact, x);
-      return contact.parameter;
-    };
-    const double start = footFrom(run.first, from);
-    const double end = footFrom(run.first + run.count - 1, to);
-    struct Sample {
-      double t;
-      TangentPoint rough;
-      const TracedPiece* of;
-    };
-    std::vector<Sample> places;
-    constexpr std::size_t manyChords = 4;  // two places on each tell the curve
-    const int parts = run.count >= manyChords ? 2 : 4;
-    for (std::size_t k = 0; k < run.count; ++k) {
-      const TracedPiece& traced = at(run.first + k);
-      if (traced.site.isPoint) continue;
-      const double a = contactOf(boundary_, traced.site, traced.from).parameter;
-      const double b = contactOf(boundary_, traced.site, traced.to).parameter;
-      const Vec2 along = pieces_[traced.site.piece].along().normalized();
-      for (int i = 0; i < parts; ++i) {
-        const double share = (i + 0.5) / parts;
-        places.push_back({a + share * (b - a), {traced.from + share * (traced.to - traced.from), along}, &traced});
-      }
-    }
-    std::sort(places.begin(), places.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
-    std::vector<TangentPoint> samples{{from, run.curve->tangent(start)}};
-    const double apart = 1e-2 * boundary_.chord();
-    for (const Sample& place : places) {
-      if (!(place.t > start && place.t < end)) continue;
-      const TrueCurve::Place onCurve = run.curve->placeAt(place.t);
-      TangentPoint next = offsetOf(onCurve);
-      const double speed = 1 - sign_ * o_.distance * onCurve.curvature;
-      if (speed < 1e-6 || !(isBeside(next.at, *place.of) || isAtDistance(next.at))) next = place.rough;
-      // Rough samples lie beside exact ones also along the curve: none may lead back.
-      if ((next.at - samples.back().at).dot(next.tangent) > apart) samples.push_back(next);
-    }
-    const double near = 1e3 * boundary_.chord();
-    const auto isPastEnd = [&](const TangentPoint& last) {
-      const Vec2 rest = to - last.at;
-      return rest.norm() < near && rest.dot(last.tangent) <= apart;
-    };
-    while (samples.size() > 1 && isPastEnd(samples.back())) samples.pop_back();
-    samples.push_back({to, run.curve->tangent(end)});
-    return samples;
-  }
-
   const Boundary& boundary_;
+  const CurveArcs& arcs_;
   const std::vector<Piece>& pieces_;
   const TracedLoop& loop_;
   LoopOptions o_;
@@ -275,8 +219,8 @@ class LoopMaker {
 
 }  // namespace
 
-Path loopOnTrueCurves(const Boundary& boundary, const TracedLoop& loop, const LoopOptions& options) {
-  return LoopMaker(boundary, loop, options).make();
+Path loopOnTrueCurves(const Boundary& boundary, const CurveArcs& arcs, const TracedLoop& loop, const LoopOptions& options) {
+  return LoopMaker(boundary, arcs, loop, options).make();
 }
 
 }  // namespace blossom::pocket

@@ -14,7 +14,8 @@ struct TracedPiece {
 using TracedLoop = std::vector<TracedPiece>;
 
 /// The closed lines of clearance d on one side: crossings of the Voronoi edges by the half-open rule (a part whose ends both
-/// have clearance d is not crossed), linked within cells and from twin to twin. O(number of edges).
-std::vector<TracedLoop> traced(const Diagram&, double d, Side, const Progress&);
+/// have clearance d is not crossed), linked within cells and from twin to twin. Where parts have clearance d at both ends
+/// within `slack`, the lines of the largest of these clearances are traced instead. O(number of edges).
+std::vector<TracedLoop> traced(const Diagram&, double d, double slack, Side, const Progress&);
 
 }  // namespace blossom::pocket

@@ -115,7 +115,8 @@ std::size_t splineShapes(const std::vector<Region>& shapes) {
 }
 
 void tellUnused(const MorphParameters& p, Evaluated& out) {
-  if (p.frames == 0 && !p.blossom.empty() && p.t != MorphParameters{}.t)
+  const auto isOther = [&](double number) { return number != p.t; };
+  if (p.frames == 0 && p.t != MorphParameters{}.t && std::any_of(p.blossom.begin(), p.blossom.end(), isOther))
     out.warnings.push_back("t has no effect beside blossom parameters, which say which shape is made.");
   if (p.keys.empty()) return;
   if (p.frames > 0) {

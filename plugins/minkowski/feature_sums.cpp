@@ -40,6 +40,13 @@ RegionSumOptions optionsOf(const SumParameters& p, std::size_t maximumWork) {
   return {toleranceOf(p.tolerance), maximumWork, p.weights, p.keepDegenerate};
 }
 
+/// A new one changes nothing.
+ParameterSpec weight() {
+  ParameterSpec spec = number();
+  spec.fallback = 1.0;
+  return spec;
+}
+
 }  // namespace
 
 FeatureType sumFeature(std::size_t maximumWork) {
@@ -49,7 +56,7 @@ FeatureType sumFeature(std::size_t maximumWork) {
                     setKinds, "a region, curves or a point to add")
       .icon("minkowski-sum")
       .produces({ShapeKind::Region, ShapeKind::Curves})
-      .parameter("weights", &SumParameters::weights, list(number()),
+      .parameter("weights", &SumParameters::weights, onePer(list(weight()), "shape"),
                  "Factor of each shape about the origin, first to last; a negative one reflects in the origin, 0 leaves the "
                  "shape out. Others are 1.")
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")

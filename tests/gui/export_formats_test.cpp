@@ -1,5 +1,6 @@
 #include "ui/files/export_dialog.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QScreen>
 #include <algorithm>
@@ -68,6 +69,24 @@ class ExportFormatsTest : public QObject {
     for (const QPushButton* button : dialog.findChildren<QPushButton*>())
       QVERIFY(dialog.rect().contains(QRect(button->mapTo(&dialog, QPoint(0, 0)), button->size())));
     QTRY_VERIFY(dialog.height() > dialog.screen()->availableSize().height() / 2);  // as high as it may be
+  }
+
+  void tabReachesTheOptionsBeforeTheButtons() {
+    ExportDialog dialog(*theApp().formats, {{QStringLiteral("It"), {"a"}, ShapeKind::Region}});
+    for (const char* format : {"svg", "dxf", "svg"}) dialog.choose(QLatin1String(format));
+    dialog.show();
+    dialog.findChildren<QComboBox*>().front()->setFocus();
+    const auto* options = dialog.findChild<QWidget*>(QStringLiteral("exportOptions"));
+    int ofOptions = 0;
+    for (int k = 0; k < 40 && !qobject_cast<QPushButton*>(dialog.focusWidget()); ++k) {
+      QTest::keyClick(dialog.focusWidget(), Qt::Key_Tab);
+      ofOptions += options->isAncestorOf(dialog.focusWidget());
+    }
+    QVERIFY(ofOptions > 0);
+    auto* first = qobject_cast<QPushButton*>(dialog.focusWidget());
+    QVERIFY(first && first->isDefault());
+    QTest::keyClick(first, Qt::Key_Tab);
+    QVERIFY(qobject_cast<QPushButton*>(dialog.focusWidget()) != nullptr);
   }
 };
 

@@ -27,6 +27,7 @@ class PanelTypingTest : public PanelFixture {
   void narrowNumbersStayTheirNumbers();
   void aWrongValueIsKeptOut();
   void whatIsTakenBackIsNotWrong();
+  void keysOfTheWindowReachIt();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
   void optionalValuesAreCleared();
@@ -192,6 +193,26 @@ void PanelTypingTest::whatIsTakenBackIsNotWrong() {
     QCOMPARE(line->text(), kept);
     QCOMPARE(field(name)->problem(), QString());
     QVERIFY(!line->property("wrong").toBool());
+  }
+}
+
+/// Undo while nothing is typed, and letters with Ctrl that Qt's line edits take on some systems.
+void PanelTypingTest::keysOfTheWindowReachIt() {
+  const auto isLeftToTheWindow = [](QLineEdit* line, int key) {
+    QKeyEvent asks(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+    asks.ignore();
+    QCoreApplication::sendEvent(line, &asks);
+    return !asks.isAccepted();
+  };
+  for (const char* name : {"length", "count", "ratio"}) {
+    auto* line = editor<QLineEdit>(name);
+    QTest::mouseClick(line, Qt::LeftButton);  // begins typing
+    for (const int key : {Qt::Key_Z, Qt::Key_E, Qt::Key_D, Qt::Key_K, Qt::Key_U}) QVERIFY(isLeftToTheWindow(line, key));
+    for (const int key : {Qt::Key_A, Qt::Key_C, Qt::Key_V}) QVERIFY(!isLeftToTheWindow(line, key));
+    QTest::keyClick(line, Qt::Key_7);
+    QVERIFY(line->isModified());
+    QVERIFY(!isLeftToTheWindow(line, Qt::Key_Z));
+    QTest::keyClick(line, Qt::Key_Escape);
   }
 }
 

@@ -29,6 +29,7 @@ class TimelineWindowTest : public WindowFixture {
   void theTimelineGoesWithItsSequence();
   void aSelectedSequenceIsExtruded();
   void theFrameThatIsSeenIsTaken();
+  void aSequenceThatIsUsedUpPlaysWhileItIsSelected();
   void digitsInTheFieldOfTheTimeAreNoShortcuts();
   void theTimeOfTheMorphIsThatOfTheFrame();
   void keysAreSetAndDragged();
@@ -272,6 +273,21 @@ void TimelineWindowTest::theFrameThatIsSeenIsTaken() {
   waitUntilComputed();
   QCOMPARE(window_->session().document().at(last()).parameters.value("number", 0), 7);
   COMPARE_NEAR(measureOf(last(), "area"), 16 * 16, 1e-9);
+}
+
+void TimelineWindowTest::aSequenceThatIsUsedUpPlaysWhileItIsSelected() {
+  const FeatureId morph = last();
+  slider().setValue(6);
+  window_->tree().select(morph);
+  run("feature.modeling.frame");
+  waitUntilComputed();
+  QTRY_COMPARE(playback().count(), 0);
+  window_->page().select(morph);
+  QTRY_COMPARE(playback().count(), 11);
+  for (const int frame : {0, 9, 4}) {
+    slider().setValue(frame);
+    COMPARE_NEAR(shownWidth(), std::max(10 + frame, 16), 1e-6);  // beside the square of frame 7
+  }
 }
 
 void TimelineWindowTest::digitsInTheFieldOfTheTimeAreNoShortcuts() {

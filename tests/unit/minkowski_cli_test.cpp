@@ -1,6 +1,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "parameter/start_value.h"
 #include "support/minkowski_answers.h"
 
 using namespace blossom;
@@ -189,6 +190,16 @@ class MinkowskiCliTest : public QObject {
     QVERIFY(opened.code == 0 && opened.result("area") == 0 && opened.json["stats"].value("empty", false));
     const Answer moved = blossom({"minkowski-difference", "rectangle:4:3", "point:1:1"});
     QVERIFY(moved.code == 0 && moved.result("area") == 12.0 && !moved.json["stats"].value("empty", false));
+  }
+
+  /// One that a form adds for each shape leaves the sum as it is.
+  void aNewWeightIsOne() {
+    const auto type = theApp().registry->at("minkowski.minkowski-sum");
+    const auto weights = std::find_if(type->parameters.begin(), type->parameters.end(),
+                                      [](const ParameterSpec& each) { return each.name == "weights"; });
+    QVERIFY(weights != type->parameters.end());
+    QCOMPARE(startValue(weights->fields.front()), Value(1.0));
+    QCOMPARE(weights->filling.input, std::string("shape"));
   }
 
   void everyFeatureExplainsItself() {

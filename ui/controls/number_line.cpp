@@ -9,9 +9,9 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "ui/controls/document_undo.h"
 #include "ui/controls/stepping.h"
 #include "ui/controls/wheel_gesture.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -38,7 +38,7 @@ int stepsOf(int key) {
 NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setMinimumWidth(26);
-  leaveUndoToTheDocument(this);
+  leaveKeysToTheWindow(this);
   installEventFilter(this);
   watchWheel();
 }

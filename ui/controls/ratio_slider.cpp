@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/controls/document_undo.h"
 #include "ui/controls/stepping.h"
 #include "ui/controls/wheel_gesture.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/theme.h"
 
 namespace blossom::ui {
@@ -148,6 +148,10 @@ void RatioSlider::mouseDoubleClickEvent(QMouseEvent*) {
 // A line that is read-only claims no keys of its own: what it answers would go to the shortcuts of the view.
 bool RatioSlider::event(QEvent* event) {
   if (wheelTimer_ != 0 && asksForUndo(*event)) endSteps();  // what the wheel did is what undo takes back
+  if (belongsToTheWindow(*event, *this)) {
+    event->ignore();
+    return true;
+  }
   if (event->type() == QEvent::ShortcutOverride && isReadOnly() && answersKey(static_cast<const QKeyEvent&>(*event))) {
     event->accept();
     return true;

@@ -4,15 +4,15 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
-#include "ui/controls/document_undo.h"
 #include "ui/controls/swatch.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
 
 ColorField::ColorField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), swatch_(new Swatch), line_(new QLineEdit) {
-  leaveUndoToTheDocument(line_);
+  leaveKeysToTheWindow(line_);
   auto* both = new QWidget;
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);

@@ -7,7 +7,7 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "ui/controls/document_undo.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/icons.h"
 #include "ui/look/registry_text.h"
 #include "ui/look/text.h"
@@ -17,7 +17,7 @@ namespace blossom::ui {
 
 FileField::FileField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), line_(new QLineEdit) {
-  leaveUndoToTheDocument(line_);
+  leaveKeysToTheWindow(line_);
   auto* both = new QWidget;
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);

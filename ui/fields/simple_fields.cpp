@@ -5,10 +5,10 @@
 #include <QLineEdit>
 #include <algorithm>
 
-#include "ui/controls/document_undo.h"
 #include "ui/controls/ratio_slider.h"
 #include "ui/controls/switch_box.h"
 #include "ui/controls/wheel_gesture.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -74,7 +74,7 @@ void RatioField::display(const Value& shown) {
 
 TextField::TextField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), line_(new QLineEdit) {
-  leaveUndoToTheDocument(line_);
+  leaveKeysToTheWindow(line_);
   line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : QString());
   setEditor(line_);

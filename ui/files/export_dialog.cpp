@@ -62,6 +62,7 @@ ExportDialog::ExportDialog(const FormatRegistry& formats, std::vector<ExportScop
       format_(new QComboBox),
       rows_(new QVBoxLayout),
       none_(new QLabel(tr("Shapes of these kinds do not go into one file."))),
+      cancel_(new QPushButton(tr("Cancel"))),
       go_(new QPushButton(tr("Export…"))) {
   setObjectName(QStringLiteral("exportDialog"));
   setWindowTitle(tr("Export"));
@@ -90,14 +91,13 @@ ExportDialog::ExportDialog(const FormatRegistry& formats, std::vector<ExportScop
   rows_->setContentsMargins(0, 0, 0, 0);
   options_ = new FittingScroll(column);
   all->addWidget(options_, 1);
-  auto* cancel = new QPushButton(tr("Cancel"));
   go_->setProperty("primary", true);
   go_->setDefault(true);
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   connect(go_, &QPushButton::clicked, this, &QDialog::accept);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch();
-  buttons->addWidget(cancel);
+  buttons->addWidget(cancel_);
   buttons->addWidget(go_);
   all->addLayout(buttons);
   setMinimumWidth(420);
@@ -142,7 +142,17 @@ void ExportDialog::fillOptions() {
     fields_.push_back(field);
     rows_->addWidget(field);
   }
+  orderTabs();
   QMetaObject::invokeMethod(this, &ExportDialog::fitToScreen, Qt::QueuedConnection);
+}
+
+/// The options are newer than the buttons: Tab would reach them last.
+void ExportDialog::orderTabs() {
+  QWidget* last = format_;
+  for (QWidget* next = format_->nextInFocusChain(); next != format_; next = next->nextInFocusChain())
+    if (options_->isAncestorOf(next)) last = next;
+  setTabOrder(last, go_);
+  setTabOrder(go_, cancel_);
 }
 
 /// The buttons stay in reach on small screens, too: the options scroll there.

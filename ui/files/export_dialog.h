@@ -39,6 +39,7 @@ class ExportDialog : public QDialog {
  private:
   void fillFormats();
   void fillOptions();
+  void orderTabs();
   void fitToScreen();
   const FormatRegistry& formats_;
   std::vector<ExportScope> scopes_;
@@ -46,7 +47,7 @@ class ExportDialog : public QDialog {
   QVBoxLayout* rows_;
   FittingScroll* options_;
   QLabel* none_;
-  QPushButton* go_;
+  QPushButton *cancel_, *go_;
   std::vector<ParameterField*> fields_;
 };
 

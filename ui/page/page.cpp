@@ -49,7 +49,8 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       faults_(new FaultBar(session_)),
       timeline_(new TimelineBar(playback_)),
       tools_(std::make_unique<PageTools>(*this, manipulators_, *view_)) {
-  view_->setSource({[this] { return shownItems(); }, [this] { return overlayNow(); }, [this] { return scene_.reach(); }});
+  view_->setSource(
+      {[this] { return shownItems(); }, [this] { return overlayNow(); }, [this] { return scene_.reach(selection()); }});
   buildWidgets();
   connectSession();
   connectNotes();
@@ -178,7 +179,7 @@ bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_-
 /// While something coarser is shown, which may have fewer frames, the timeline stays where it is.
 void DocumentPage::refreshFrames() {
   if (!session_.coarse()) {
-    std::vector<double> beginnings = scene_.beginnings();
+    std::vector<double> beginnings = scene_.beginnings(selection());
     const int count = static_cast<int>(beginnings.size());
     playback_.setPace(std::move(beginnings));
     playback_.setCount(count);
@@ -196,7 +197,7 @@ void DocumentPage::refreshTimeline() {
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {
-  std::vector<vtkSmartPointer<vtkProp>> props = scene_.skins(look_, pixelRatio());
+  std::vector<vtkSmartPointer<vtkProp>> props = scene_.skins(selection(), look_, pixelRatio());
   const auto add = [&](const std::vector<vtkSmartPointer<vtkProp>>& more) {
     props.insert(props.end(), more.begin(), more.end());
   };

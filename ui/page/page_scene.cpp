@@ -112,26 +112,27 @@ std::set<FeatureId> PageScene::usedUpNow() const {
   return usedUp(session_.document(), *session_.app().registry, shapeOf);
 }
 
-std::vector<std::shared_ptr<const FeatureView>> PageScene::sequences() const {
-  const std::set<FeatureId> used = usedUpNow();
+std::vector<std::shared_ptr<const FeatureView>> PageScene::sequences(const std::vector<FeatureId>& selected) const {
+  std::set<FeatureId> used = usedUpNow();
+  for (const FeatureId& id : selected) used.erase(id);
   std::vector<std::shared_ptr<const FeatureView>> found;
   for (const auto& feature : session_.document().features())
     if (const auto view = shownView(*feature); view && view->frames && !used.contains(feature->id)) found.push_back(view);
   return found;
 }
 
-std::vector<double> PageScene::beginnings() const {
+std::vector<double> PageScene::beginnings(const std::vector<FeatureId>& selected) const {
   const Sequence* longest = nullptr;
-  for (const auto& view : sequences())
+  for (const auto& view : sequences(selected))
     if (const auto* sequence = view->shape.get<Sequence>(); !longest || sequence->frames.size() > longest->frames.size())
       longest = sequence;
   return longest ? frameBeginnings(*longest) : std::vector<double>();
 }
 
-std::vector<Vec3> PageScene::reach() const {
+std::vector<Vec3> PageScene::reach(const std::vector<FeatureId>& selected) const {
   constexpr std::size_t most = 48;  // of long sequences some, and the last
   std::vector<Vec3> corners;
-  for (const auto& view : sequences()) {
+  for (const auto& view : sequences(selected)) {
     const std::vector<SceneData>& all = *view->frames;
     for (std::size_t k = 0; k < std::min(most, all.size()); ++k)
       addCornersOf(all[(all.size() - 1) * k / std::max<std::size_t>(1, std::min(most, all.size()) - 1)], corners);
@@ -139,10 +140,10 @@ std::vector<Vec3> PageScene::reach() const {
   return corners;
 }
 
-PageScene::Props PageScene::skins(const Look& look, double pixelRatio) const {
+PageScene::Props PageScene::skins(const std::vector<FeatureId>& selected, const Look& look, double pixelRatio) const {
   Props all;
   if (!playback_.onionSkin() && !skinsWanted_) return all;
-  for (const auto& view : sequences()) {
+  for (const auto& view : sequences(selected)) {
     const auto skins = onionSkin(*view->frames, look, pixelRatio);
     all.insert(all.end(), skins.begin(), skins.end());
   }

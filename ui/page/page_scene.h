@@ -41,12 +41,12 @@ class PageScene {
   /// results step back.
   [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
   /// When each frame of the longest sequence that is shown begins, as frameBeginnings() tells it; empty: there is none.
-  [[nodiscard]] std::vector<double> beginnings() const;
+  [[nodiscard]] std::vector<double> beginnings(const std::vector<FeatureId>& selected) const;
   /// Corners of the boxes around frames of the sequences that are shown, so that they stay in sight when they are played.
-  [[nodiscard]] std::vector<Vec3> reach() const;
+  [[nodiscard]] std::vector<Vec3> reach(const std::vector<FeatureId>& selected) const;
   void showSkins(bool on) { skinsWanted_ = on; }
   /// The other frames of sequences, faintly, when the timeline or a tool asks for them.
-  [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
+  [[nodiscard]] Props skins(const std::vector<FeatureId>& selected, const Look&, double pixelRatio) const;
   /// What the plugin draws over a feature with a result. @throws whatever the plugin throws.
   [[nodiscard]] Props overlayOf(const FeatureId&, const Look&, double pixelRatio) const;
 
@@ -60,8 +60,8 @@ class PageScene {
   [[nodiscard]] const Shape& shapeNow(const FeatureView&) const;
   /// Features whose shapes have gone into the results of others.
   [[nodiscard]] std::set<FeatureId> usedUpNow() const;
-  /// The visible sequences that are not used up.
-  [[nodiscard]] std::vector<std::shared_ptr<const FeatureView>> sequences() const;
+  /// The visible sequences that are not used up, or selected.
+  [[nodiscard]] std::vector<std::shared_ptr<const FeatureView>> sequences(const std::vector<FeatureId>& selected) const;
 
   std::optional<Choice> choice_;
   StudyOf studyOf_;

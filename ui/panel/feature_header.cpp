@@ -6,14 +6,14 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "ui/controls/document_undo.h"
+#include "ui/controls/window_keys.h"
 #include "ui/look/icons.h"
 
 namespace blossom::ui {
 
 FeatureHeader::FeatureHeader(QWidget* parent)
     : QWidget(parent), name_(new QLineEdit), manual_(new QToolButton), type_(new QLabel), summary_(new QLabel) {
-  leaveUndoToTheDocument(name_);
+  leaveKeysToTheWindow(name_);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(2);

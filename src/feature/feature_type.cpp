@@ -141,17 +141,31 @@ void checkResult(const FeatureType& type, const Shape& result) {
     check(result);
 }
 
+namespace {
+
+/// Names and places that lead to the first number that is not finite, as "facets/3/1"; nothing when there is none. (With
+/// flatten() each number would be looked for among all.)
+std::optional<std::string> wayToInfinite(const Value& value) {
+  if (value.is_number_float())
+    return std::isfinite(value.get<double>()) ? std::nullopt : std::optional<std::string>(std::in_place);
+  if (!value.is_structured()) return std::nullopt;
+  for (const auto& [name, each] : value.items())
+    if (const auto way = wayToInfinite(each)) return way->empty() ? name : name + "/" + *way;
+  return std::nullopt;
+}
+
+[[noreturn]] void refuseInfinite(const std::string& name) {
+  throw Error(ErrorCode::LimitExceeded, fmt::format("The figure \"{}\" is beyond all numbers.", name),
+              "The shapes may be too large, too small or too far away for it.");
+}
+
+}  // namespace
+
 void refuseInfiniteFigures(const Evaluated& evaluated) {
-  const auto check = [](const std::string& name, double value) {
-    if (!std::isfinite(value))
-      throw Error(ErrorCode::LimitExceeded, fmt::format("The figure \"{}\" is beyond all numbers.", name),
-                  "The shapes may be too large, too small or too far away for it.");
-  };
-  const Value flat = evaluated.stats.flatten();
-  for (const auto& [path, value] : flat.items())
-    if (value.is_number_float()) check(path.empty() ? "stats" : path.substr(1), value.get<double>());
+  if (const auto way = wayToInfinite(evaluated.stats)) refuseInfinite(way->empty() ? "stats" : *way);
   for (const Measure& figure : evaluated.figures)
-    if (const double* value = std::get_if<double>(&figure.value)) check(figure.name, *value);
+    if (const double* value = std::get_if<double>(&figure.value); value && !std::isfinite(*value))
+      refuseInfinite(figure.name);
 }
 
 Measures measured(const Evaluated& evaluated, const Progress& progress) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "document/document_json.h"
+#include "feature/feature_type.h"
 #include "geometry/measure/measure.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/polygon_triangulation.h"
@@ -120,6 +121,21 @@ class EndlessWorkTest : public QObject {
     QCOMPARE(triangulate(polygon, Progress::none()).size(), polygon.size() - 2);
     const Imported imported = readText(objOf(polygon), "obj");
     QVERIFY(areaOfShape(imported.shape) > 0);
+  }
+
+  /// Facets of a large sum are hundreds of thousands of numbers.
+  void figuresAreLookedAtOnce() {
+    Evaluated evaluated;
+    Value& facets = evaluated.stats["facets"] = Value::array();
+    for (int k = 0; k < 300'000; ++k) facets.push_back(Value::array({0.5 * k, 1.0, 2.0}));
+    refuseInfiniteFigures(evaluated);
+    facets[299'999][1] = HUGE_VAL;
+    VERIFY_ERROR(refuseInfiniteFigures(evaluated), ErrorCode::LimitExceeded);
+    try {
+      refuseInfiniteFigures(evaluated);
+    } catch (const Error& error) {
+      QCOMPARE(error.message(), std::string("The figure \"facets/299999/1\" is beyond all numbers."));
+    }
   }
 
   void workEndsWhenAsked() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/numeric/point_merge.h"
+#include "kernel/welded.h"
 
 namespace blossom::morphology {
 
@@ -28,11 +29,6 @@ std::vector<int> withoutSpikes(std::vector<int> face) {
   return face;
 }
 
-std::vector<int> fromLowestNumber(std::vector<int> face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
-
 }  // namespace
 
 Mesh collapsed(const Mesh& mesh, const Progress& progress) {
@@ -46,7 +42,7 @@ Mesh collapsed(const Mesh& mesh, const Progress& progress) {
     for (const int v : mesh.face(f)) face.push_back(first[static_cast<std::size_t>(v)]);
     face = withoutSpikes(std::move(face));
     if (face.size() < 3) continue;
-    std::vector<int> one = fromLowestNumber(face), other = fromLowestNumber({face.rbegin(), face.rend()});
+    std::vector<int> one = fromLowest(face), other = fromLowest({face.rbegin(), face.rend()});
     if (one <= other)
       ++balance[std::move(one)];
     else

@@ -21,13 +21,12 @@ struct NumbersHash {
   }
 };
 
-/// The vertices of a face from the lowest one on, so that equal faces read alike.
+}  // namespace
+
 std::vector<int> fromLowest(std::vector<int> face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
 }
-
-}  // namespace
 
 Mesh withSharedPoints(const Mesh& mesh, const Progress& progress) {
   const std::vector<int> first = mergeEqualPoints(mesh.points, progress);

@@ -82,23 +82,12 @@ double meanThickness(const Mesh& mesh, std::span<const std::size_t> shell, doubl
   return quick.isSure ? quick.thickness() : unit * measuredOnGrid(mesh, shell, unit).thickness();
 }
 
-double meanThickness(const Mesh& mesh, std::span<const std::size_t> shell) {
-  double farthest = 0;
-  for (const Vec3& p : mesh.points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-  return farthest > 0 ? meanThickness(mesh, shell, std::ldexp(1, std::ilogb(farthest) - 58)) : 0;
-}
-
 double meanThickness(const Mesh& mesh) {
   std::vector<std::size_t> all(mesh.faceCount());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return meanThickness(mesh, all);
-}
-
-std::vector<std::vector<std::size_t>> facesOfShells(const MeshTopology& topology) {
-  std::vector<std::vector<std::size_t>> faces(topology.components.size());
-  for (std::size_t f = 0; f < topology.componentOfFace.size(); ++f)
-    faces[static_cast<std::size_t>(topology.componentOfFace[f])].push_back(f);
-  return faces;
+  double farthest = 0;
+  for (const Vec3& p : mesh.points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return farthest > 0 ? meanThickness(mesh, all, std::ldexp(1, std::ilogb(farthest) - 58)) : 0;
 }
 
 }  // namespace blossom::morphology

@@ -1,10 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "geometry/mesh/mesh.h"
-#include "geometry/mesh/mesh_topology.h"
 
 namespace blossom::morphology {
 
@@ -14,12 +12,7 @@ namespace blossom::morphology {
 /// @param shell numbers of its faces @param unit of the grid on which corners are taken to lie, within 2^60 of it
 double meanThickness(const Mesh&, std::span<const std::size_t> shell, double unit);
 
-/// The same on the finest grid that holds the mesh.
-double meanThickness(const Mesh&, std::span<const std::size_t> shell);
-/// Of all faces of a mesh.
+/// Of all faces of a mesh, on the finest grid that holds it.
 double meanThickness(const Mesh&);
-
-/// The numbers of the faces of each shell.
-std::vector<std::vector<std::size_t>> facesOfShells(const MeshTopology&);
 
 }  // namespace blossom::morphology

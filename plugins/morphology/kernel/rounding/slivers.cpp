@@ -1,11 +1,24 @@
 #include "kernel/rounding/slivers.h"
 
 #include <cmath>
+#include <vector>
 
 #include "kernel/manifold.h"
 #include "kernel/rounding/mean_thickness.h"
 
 namespace blossom::morphology {
+
+namespace {
+
+/// The numbers of the faces of each shell.
+std::vector<std::vector<std::size_t>> facesOfShells(const MeshTopology& topology) {
+  std::vector<std::vector<std::size_t>> faces(topology.components.size());
+  for (std::size_t f = 0; f < topology.componentOfFace.size(); ++f)
+    faces[static_cast<std::size_t>(topology.componentOfFace[f])].push_back(f);
+  return faces;
+}
+
+}  // namespace
 
 std::optional<Mesh> withoutSlivers(const Mesh& mesh, const MeshTopology& topology, double thickness, double unit,
                                    const Progress& progress) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/planar/one_diagonal.h"
 #include "kernel/mark_inside.h"
 
 namespace blossom::morphology {
@@ -58,10 +59,12 @@ std::vector<std::array<int, 3>> trianglesBetween(const std::vector<Vec3>& points
   } catch (const std::exception&) {
     return {};
   }
+  takeDiagonalsFromTheLowest(cdt);
   markInside(cdt);
   std::vector<std::array<int, 3>> triangles;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
     if (f->info() == 1) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  sortTriangles(triangles);
   return triangles;
 }
 

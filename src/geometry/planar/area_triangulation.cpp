@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "geometry/numeric/box_tree.h"
+#include "geometry/planar/one_diagonal.h"
 
 namespace blossom {
 namespace {
@@ -147,6 +148,7 @@ std::vector<Faces> partsInside(AreaTriangulation& triangulation, const EvenOdd& 
 AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress) {
   AreaTriangulation triangulation;
   insertPolygons(triangulation, polygons, progress);
+  takeDiagonalsFromTheLowest(triangulation);
   AreaTriangles result;
   if (triangulation.dimension() < 2) return result;
   const std::vector<Faces> parts = partsInside(triangulation, EvenOdd(polygons, progress), progress);
@@ -157,6 +159,7 @@ AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, co
   for (const Faces& part : parts)
     for (const auto& face : part)
       result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  sortTriangles(result.triangles);
   return result;
 }
 

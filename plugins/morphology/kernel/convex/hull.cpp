@@ -1,9 +1,10 @@
 #include "kernel/convex/hull.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
+
+#include "kernel/convex/hull_facets.h"
 
 namespace blossom::morphology {
 
@@ -42,17 +43,10 @@ Mesh hullTriangles(const std::vector<Vec3>& points) {
   if (lieInPlane(doubles)) return mesh;
   CGAL::Surface_mesh<Point> made;
   CGAL::convex_hull_3(doubles.begin(), doubles.end(), made);
-  CGAL::Polygon_mesh_processing::triangulate_faces(made);
-  mesh.points.reserve(made.number_of_vertices());
-  for (const auto v : made.vertices()) {
-    const auto& p = made.point(v);
-    mesh.points.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto f : made.faces()) {
-    std::vector<int> corners;
-    for (const auto v : made.vertices_around_face(made.halfedge(f))) corners.push_back(static_cast<int>(v));
-    mesh.addFace(corners);
-  }
+  const auto facets = hullFacets(made, Inexact().coplanar_3_object());
+  mesh.points.reserve(facets.points.size());
+  for (const Point& p : facets.points) mesh.points.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& triangle : facets.triangles) mesh.addFace(triangle);
   return mesh;
 }
 

@@ -1,6 +1,5 @@
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_interior_point_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
@@ -8,6 +7,7 @@
 #include <map>
 
 #include "kernel/convex/hull.h"
+#include "kernel/convex/hull_facets.h"
 
 namespace blossom::morphology {
 
@@ -58,19 +58,20 @@ std::vector<ExactPoint> cornersBehind(const std::vector<Exact::Plane_3>& planes,
 }
 
 /// Corners that rounding makes equal become one.
-Mesh roundedTriangles(ExactHull hull) {
-  CGAL::Polygon_mesh_processing::triangulate_faces(hull);
+Mesh roundedTriangles(const ExactHull& hull) {
+  const auto facets = hullFacets(hull, Exact().coplanar_3_object());
   Mesh mesh;
   std::map<std::array<double, 3>, int> indices;
-  const auto indexOf = [&](ExactHull::Vertex_index v) {
-    const Vec3 p = toNearest(hull.point(v));
+  std::vector<int> numbers;
+  for (const ExactPoint& exact : facets.points) {
+    const Vec3 p = toNearest(exact);
     const auto [it, fresh] = indices.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(mesh.points.size()));
     if (fresh) mesh.points.push_back(p);
-    return it->second;
-  };
-  for (const auto f : hull.faces()) {
-    const auto h = hull.halfedge(f);
-    const std::array corners{indexOf(hull.source(h)), indexOf(hull.target(h)), indexOf(hull.target(hull.next(h)))};
+    numbers.push_back(it->second);
+  }
+  for (const auto& triangle : facets.triangles) {
+    std::array<int, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = numbers[static_cast<std::size_t>(triangle[k])];
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) mesh.addFace(corners);
   }
   return mesh;

@@ -68,6 +68,7 @@ Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& 
 struct GrowTexts {
   const char *id, *title, *summary, *element, *radius, *icon;
   std::vector<const char*> examples;
+  bool canMeltToNothing = false;  ///< has `until`
 };
 
 FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
@@ -81,9 +82,15 @@ FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
               .kinds = solidKinds,
               .use = InputUse::Consumed,
               .asks = "a solid to grow or melt"})
-      .input({.name = "element", .help = texts.element, .kinds = elementKinds, .minimum = 0, .use = InputUse::Control})
-      .parameter("radius", &P::radius, positiveLength(), texts.radius)
-      .parameter("size", &P::size, positiveNumber(), "How many times as large as drawn an element is taken.")
+      .input({.name = "element", .help = texts.element, .kinds = elementKinds, .minimum = 0, .use = InputUse::Control});
+  const auto untilSize = [&](ParameterSpec spec) {
+    return texts.canMeltToNothing ? onlyFor(std::move(spec), "until", {"size"}) : spec;
+  };
+  if (texts.canMeltToNothing)
+    made.parameter("until", &P::until, choice({"size", "nothing"}),
+                   "How far it melts: by the radius or size, or as far as anything is left.");
+  made.parameter("radius", &P::radius, untilSize(positiveLength()), texts.radius)
+      .parameter("size", &P::size, untilSize(positiveNumber()), "How many times as large as drawn an element is taken.")
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from size 0 to the whole size; 0 makes only the last one.")
       .parameter("control", &P::control, controlChoice(), "Growth of the size over the frames.")
@@ -122,9 +129,8 @@ FeatureType meltFeature() {
                  "Depth by which it melts; of the ball.",
                  "melt",
                  {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj",
-                  "blossom melt ice.step --until nothing --rounding 0.5 --frames 12 --control ease-out -o frame.obj"}})
-      .parameter("until", &P::until, choice({"size", "nothing"}),
-                 "How far it melts: by the radius or size, or as far as anything is left.")
+                  "blossom melt ice.step --until nothing --rounding 0.5 --frames 12 --control ease-out -o frame.obj"},
+                 true})
       .parameter("rounding", &P::rounding, ratio(),
                  "What is left is rounded by this share of the depth, as ice is: edges and thin places go first.")
       .evaluate(

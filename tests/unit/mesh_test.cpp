@@ -93,6 +93,22 @@ class MeshTest : public QObject {
     QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{2});
     QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{3});
   }
+  void wallsOfVoidsAreShellsButNoComponents() {
+    const auto inwards = [](Mesh mesh) {
+      for (std::size_t first = 0; first < mesh.faceVertices.size(); first += 4)
+        std::reverse(mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(first),
+                     mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(first + 4));
+      return mesh;
+    };
+    Mesh mesh = boxMesh({1e6, 0, 0}, {3, 3, 3});
+    appendMesh(mesh, inwards(boxMesh({1e6 + 1, 1, 1}, {1, 1, 1})));
+    const Measures m = measure(mesh);
+    QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{1});
+    QCOMPARE(measured<std::int64_t>(m, "shells"), std::int64_t{2});
+    COMPARE_NEAR(measured<double>(m, "volume"), 26, 1e-9);
+    const Measures insideOut = measure(inwards(boxMesh({0, 0, 0}, {1, 1, 1})));
+    QCOMPARE(measured<std::int64_t>(insideOut, "components"), std::int64_t{1});
+  }
   void boxesThatTouchInAnEdgeStayTwo() {
     Mesh mesh = boxMesh({0, 0, 0}, {1, 1, 1});
     appendMesh(mesh, boxMesh({1, 1, 0}, {1, 1, 1}));

@@ -165,7 +165,7 @@ class MorphologyDifferenceTest : public QObject {
         solidDifferenceOf(cuboid({0, 0, 0}, {4, 9, 9}), cuboid({0, 0, 0}, {size, size, size}));
         QFAIL("not refused");
       } catch (const Error& error) {
-        QCOMPARE(error.hint().find("fits exactly") != std::string::npos, size == 4);
+        QCOMPARE(std::string(error.message()).find("fits exactly") != std::string::npos, size == 4);
       }
     }
   }

@@ -86,6 +86,7 @@ void RadiusTool::place() {
 }
 
 QString RadiusTool::hint() const {
+  if (!top_) return {};
   const QString length = QString::fromStdString(formatLength(radius_, host().lengthUnit()));
   if (held()) return tr("The radius is %1 · Ctrl: no steps · Esc takes it back").arg(length);
   return hovered() ? tr("Drag up or down to change the radius of %1").arg(length)

@@ -33,10 +33,12 @@ bool finishedAsPrisms(Work& work, const Pair& pair, const Vec3& centre, const Op
 
 [[noreturn]] void refuseNothingLeft(Work& work, const Operand& a, const Operand& b, const Pair& pair) {
   const Mesh nothing;
-  const bool isTight = fitsExactly(work, pair.a, pair.b, pair.grid, &nothing);
-  nothingLeft(a, b.name,
-              isTight ? "It fits exactly, without room to move: make it a little smaller."
-                      : fmt::format("Make {} smaller.", insideSentence(b.name)));
+  if (fitsExactly(work, pair.a, pair.b, pair.grid, &nothing))
+    throw Error(ErrorCode::Degenerate,
+                fmt::format("Nothing is left of {}: {} fits exactly inside of it, without room to move.",
+                            insideSentence(a.name), insideSentence(b.name)),
+                fmt::format("Make {} a little smaller.", insideSentence(b.name)));
+  nothingLeft(a, b.name, fmt::format("Make {} smaller.", insideSentence(b.name)));
 }
 
 /// @param left of the first shape; nothing: not known as a mesh

@@ -48,6 +48,7 @@ class DragDetailTest : public QObject {
  private slots:
   void whatIsQuickIsShownAsItIs();
   void whatIsSlowIsCoarseUntilTheHandRests();
+  void aCoarseOneIsAwaitedWhenTheHandRests();
   void whatIsNeverAnsweredIsSlow();
   void whatWasAnsweredIsAwaitedAnew();
   void oneThatCannotBeMadeChangesNothing();
@@ -77,12 +78,36 @@ void DragDetailTest::whatIsSlowIsCoarseUntilTheHandRests() {
   QCOMPARE(sink.shown, 2);  // the document is the whole one
   sink.answer();
   sink.show(3);
-  QTRY_COMPARE(sink.sent, (std::vector<int>{1, 102, 103, 3}));  // at rest, though 103 was not answered
+  sink.answer();
+  QTRY_COMPARE(sink.sent, (std::vector<int>{1, 102, 103, 3}));  // at rest
   QCOMPARE(sink.detail.coarseSent(), 2);
   sink.detail.setBudget(1e9);
   sink.answer();  // quick enough after all
   sink.show(4);
   QCOMPARE(sink.sent.back(), 4);
+}
+
+/// The whole would come much later, and the shape would stay behind the hand till then.
+void DragDetailTest::aCoarseOneIsAwaitedWhenTheHandRests() {
+  Sink sink;
+  sink.detail.setBudget(-1);
+  sink.show(1);
+  sink.answer();
+  sink.show(2);
+  sink.show(3);
+  QTest::qWait(3 * DragDetail::restMs);
+  QCOMPARE(sink.sent, (std::vector<int>{1, 102}));
+  QVERIFY(sink.detail.isBehind());
+  sink.answer();
+  QCOMPARE(sink.sent, (std::vector<int>{1, 102, 103}));
+  QVERIFY(sink.detail.isBehind());
+  sink.answer();
+  QVERIFY(!sink.detail.isBehind());
+  QTRY_COMPARE(sink.sent, (std::vector<int>{1, 102, 103, 3}));
+  // Not for ever.
+  sink.show(4);
+  sink.now += 2 * DragDetail::coarseWaitMs;
+  QTRY_COMPARE(sink.sent, (std::vector<int>{1, 102, 103, 3, 104, 4}));
 }
 
 /// Each movement cancels what the one before it asked for.
@@ -167,6 +192,7 @@ void DragDetailTest::nothingComesAfterTheEnd() {
   later.detail.setBudget(-1);
   later.show(1);
   later.show(2);
+  later.answer();
   QTRY_COMPARE(later.sent, (std::vector<int>{1, 102, 2}));
   QCOMPARE(sink.sent, (std::vector<int>{1, 102}));
 }

@@ -6,7 +6,6 @@
 #include "document/edits.h"
 #include "geometry/measure/measure.h"
 #include "support/polyhedra.h"
-#include "ui/controls/ratio_slider.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -46,7 +45,6 @@ class MorphologyWindowTest : public WindowFixture {
 
   void twoSolidsAreAddedOneMeltsAndTheResultIsSaved();
   void theFacetsOfASumAreShown();
-  void aSlowMorphIsPreviewedWhileItIsDragged();
   void aMorphPlaysInTheTimeline();
   void theRadiusIsDragged();
   void aRoundedSolidIsDragged();
@@ -171,40 +169,6 @@ void MorphologyWindowTest::theFacetsOfASumAreShown() {
   show("none");
   waitUntilComputed();
   QVERIFY(seen(look.control) < 0.01);
-}
-
-/// By its slider in the panel: on a grid while the hand moves, itself when it rests.
-void MorphologyWindowTest::aSlowMorphIsPreviewedWhileItIsDragged() {
-  std::mt19937_64 random = seededRandom();
-  openAndWait(written(spikyRing(random, 20, 6, 40), "ring.off"));
-  const FeatureId ring = last();
-  importMore(written(spikyRing(random, 12, 3, 30), "other.off"));
-  select({ring, last()});
-  run("feature.morphology.solid-morph");
-  waitUntilComputed();
-  const FeatureId morph = last();
-  select({morph});
-  const auto way = [&] {
-    const auto view = window_->session().view(morph);
-    return view && !view->result->error ? view->result->evaluated.stats.value("way", std::string()) : std::string();
-  };
-  QCOMPARE(way(), std::string("arranged"));
-  auto* slider = window_->properties().field(QStringLiteral("t"))->findChild<RatioSlider*>();
-  QVERIFY(slider);
-  const auto at = [&](double share) { return QPointF(share * slider->width(), slider->height() / 2.0); };
-  mouseIn(slider, QEvent::MouseButtonPress, at(0.5));
-  bool previewed = false;
-  for (int k = 1; k <= 100 && !previewed; ++k) {
-    mouseIn(slider, QEvent::MouseMove, at(0.3 + 0.01 * (k % 30)));
-    QTest::qWait(30);
-    previewed = way() == "field";
-  }
-  QVERIFY2(previewed, "a preview is seen while the slider moves");
-  QTRY_COMPARE_WITH_TIMEOUT(way(), std::string("arranged"), 30000);  // the hand rests
-  mouseIn(slider, QEvent::MouseButtonRelease, at(0.45));
-  waitUntilComputed();
-  QCOMPARE(way(), std::string("arranged"));
-  QVERIFY(window_->page().document().at(morph).parameters.value("preview", Value(0)) == 0);
 }
 
 void MorphologyWindowTest::aMorphPlaysInTheTimeline() {

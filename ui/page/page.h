@@ -106,6 +106,9 @@ class DocumentPage : public QObject, public ToolHost {
   void previewCoarsely(const Document& document, const Document& coarser) override { session_.preview(document, coarser); }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
+  void commitCoarselyFirst(Document document, const QString& what, const Document& coarser) override {
+    session_.commit(std::move(document), what, coarser);
+  }
 
  signals:
   void hint(const QString&);

@@ -116,8 +116,9 @@ class PropertyPanel : public QScrollArea {
   std::optional<Value> waiting_;         // its newest value, not yet sent off
   QElapsedTimer sent_;                   // since the last whole document
   bool sentWhole_ = false;               // its results are awaited
+  bool sentQuick_ = false;               // those of a quick preview are
   bool isSlow_ = false;                  // they took long
-  QTimer rest_;                          // after which the whole follows a quick preview
+  QTimer rest_;                          // after which the whole follows a quick preview that has come
   QLabel* notice_ = nullptr;             // the first warning of the result
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;

@@ -111,6 +111,7 @@ void PropertyPanel::sendPreview() {
   const bool busy = session_.evaluating();
   if (sentWhole_) isSlow_ = sent_.elapsed() > previewPatience;  // has taken, or is taking
   if (!busy) sentWhole_ = false;
+  if (!busy && std::exchange(sentQuick_, false)) rest_.start();
   if (!waiting_ || !previewed_ || (busy && !(sentWhole_ && isSlow_))) return;
   Document document = session_.document().with(changed(previewed_->spec().name, *waiting_));
   auto quick = isSlow_ ? quickPreview(document, *session_.app().registry, shown_) : std::nullopt;
@@ -118,12 +119,14 @@ void PropertyPanel::sendPreview() {
   waiting_.reset();
   if (!quick) return sendWhole(std::move(document));
   sentWhole_ = false;
-  rest_.start();
+  sentQuick_ = true;
+  rest_.stop();
   session_.preview(std::move(document), std::move(quick->document));
 }
 
 void PropertyPanel::sendWhole(Document document) {
   rest_.stop();
+  sentQuick_ = false;
   sentWhole_ = true;
   sent_.start();
   QTimer::singleShot(previewPatience + 1, this,
@@ -132,13 +135,16 @@ void PropertyPanel::sendWhole(Document document) {
 }
 
 void PropertyPanel::commit(ParameterField* field, const Value& value) {
+  const bool isBehind = waiting_ || sentQuick_;
   endPreviews();
   const Document document =
       session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
   const Value before = session_.document().at(shown_).parameters;
+  auto quick = isSlow_ && isBehind ? quickPreview(document, *session_.app().registry, shown_) : std::nullopt;
   session_.commit(document,
-                  tr("Change %1 of %2").arg(registryText(label(field->spec())), qt(shownName(document.at(shown_)))));
+                  tr("Change %1 of %2").arg(registryText(label(field->spec())), qt(shownName(document.at(shown_)))),
+                  quick ? std::optional(std::move(quick->document)) : std::nullopt);
   if (type_) tellWhatGaveWay(field->spec(), before);
 }
 
@@ -171,7 +177,7 @@ void PropertyPanel::endPreviews() {
   waiting_.reset();
   rest_.stop();
   previewed_ = nullptr;
-  sentWhole_ = false;
+  sentWhole_ = sentQuick_ = false;
 }
 
 void PropertyPanel::revert() {

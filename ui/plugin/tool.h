@@ -108,6 +108,10 @@ class ToolHost {
   virtual void endPreview() = 0;
   /// One step of undo.
   virtual void commit(Document, const QString& what) = 0;
+  /// The same where the whole takes long: the results of a coarser document are shown until it is there.
+  virtual void commitCoarselyFirst(Document document, const QString& what, const Document& /*coarser*/) {
+    commit(std::move(document), what);
+  }
 
  private:
   std::map<std::string, std::shared_ptr<void>> kept_;

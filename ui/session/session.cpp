@@ -69,13 +69,13 @@ QString Session::title() const {
   return file_.empty() ? (name_.isEmpty() ? tr("Untitled") : name_) : qt(file_.filename().string());
 }
 
-void Session::commit(Document document, const QString& what) {
+void Session::commit(Document document, const QString& what, std::optional<Document> coarser) {
   if (!document.access()) document = document.withAccess(history_.committed().access());
   document = withAppearances(std::move(document), history_.committed(), *app_.registry,
                              [this](const FeatureId& id) { return shape(id); });
   history_.commit(std::move(document), what.toStdString());
   keep(what);
-  changed();
+  changed(std::move(coarser));
   tellWithheld();
 }
 
@@ -164,6 +164,7 @@ void Session::evaluate() {
         for (const auto& [id, result] : results)
           if (!result->parts.empty()) parts.emplace(id, result->parts);
         here([this, parts = std::move(parts)] {
+          if (coarser_ && !previewing()) return goOnWithTheWhole();
           coarse_ = coarser_.has_value();
           if (!coarse_) keepParts(parts);
           evaluating_ = false;
@@ -173,6 +174,13 @@ void Session::evaluate() {
           if (!evaluating_) watched_.reset();
         });
       });
+}
+
+/// What was committed is known coarsely by now.
+void Session::goOnWithTheWhole() {
+  coarser_.reset();
+  tellViews();
+  evaluate();
 }
 
 namespace {

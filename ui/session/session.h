@@ -58,7 +58,8 @@ class Session : public QObject {
   /// Begun from a file of the installation and not saved since: it has no file of its own.
   [[nodiscard]] bool fromSample() const { return sample_ && file_.empty(); }
 
-  void commit(Document, const QString& what);
+  /// @param coarser computed and shown first, where the whole takes long
+  void commit(Document, const QString& what, std::optional<Document> coarser = {});
   /// @param coarser computed in its place: it has the same features, and nothing of it is kept
   void preview(Document, std::optional<Document> coarser = {});
   void endPreview();
@@ -118,6 +119,7 @@ class Session : public QObject {
  private:
   void take(const FeatureId&, std::shared_ptr<const FeatureView>);
   void evaluate();
+  void goOnWithTheWhole();
   void keepWaiting();
   void keepParts(const std::map<FeatureId, Value>&);
   void changed(std::optional<Document> coarser = {});

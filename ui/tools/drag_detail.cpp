@@ -24,10 +24,18 @@ DragDetail::DragDetail(Send sender, Newest newest, Clock clock)
     : send_(std::move(sender)), newest_(std::move(newest)), clock_(clock ? std::move(clock) : Clock(machineTime)) {
   rest_.setSingleShot(true);
   rest_.setInterval(restMs);
-  connect(&rest_, &QTimer::timeout, this, [this] {
-    if (wanted_ && (coarser_ || unsent_)) send(false);
-  });
+  connect(&rest_, &QTimer::timeout, this, &DragDetail::handRests);
 }
+
+/// The whole one takes long: a coarse one that is being computed is shown before it, or the shape stays behind the hand.
+void DragDetail::handRests() {
+  look();
+  const bool isAwaited = underWay_ == Sent::Coarse && clock_() - since_ < coarseWaitMs;
+  if (isAwaited) return rest_.start();
+  if (wanted_ && (coarser_ || unsent_)) send(false);
+}
+
+bool DragDetail::isBehind() const { return slow_ && coarser_ && wanted_ && (unsent_ || underWay_ == Sent::Coarse); }
 
 void DragDetail::show(Document document, const Coarser& coarser) {
   look();

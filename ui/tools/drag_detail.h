@@ -11,13 +11,15 @@
 namespace blossom::ui {
 
 /// What is shown while something is dragged: the document itself as long as its results come within the frame budget, else
-/// results of a coarser one, until the hand rests. One coarse document is computed at a time and the newest waits: the shape
-/// goes on to follow, however long one takes. So do whole ones that take long where there is none coarser.
+/// results of a coarser one, until the hand rests and they have come. One coarse document is computed at a time and the
+/// newest waits: the shape goes on to follow, however long one takes. So do whole ones that take long where there is none
+/// coarser.
 class DragDetail final : public QObject {
   Q_OBJECT
  public:
-  static constexpr double frameBudget = 33;  ///< ms
-  static constexpr int restMs = 100;         ///< after the last movement
+  static constexpr double frameBudget = 33;     ///< ms
+  static constexpr int restMs = 100;            ///< after the last movement
+  static constexpr double coarseWaitMs = 2000;  ///< how long a coarse result is awaited when the hand rests
 
   using Coarser = std::function<Document(const Document&)>;
   /// Shows a document; with the results of the second one, if there is one.
@@ -35,6 +37,8 @@ class DragDetail final : public QObject {
   void resultsChanged();
   /// The drag is over: nothing is shown any more.
   void end();
+  /// The newest document was sent neither whole nor coarse, or its coarse results have not come.
+  [[nodiscard]] bool isBehind() const;
 
   [[nodiscard]] double budget() const { return budget_; }
   void setBudget(double milliseconds) { budget_ = milliseconds; }
@@ -43,6 +47,7 @@ class DragDetail final : public QObject {
  private:
   enum class Sent { Nothing, Whole, Coarse };
 
+  void handRests();
   void look();
   void send(bool coarse);
 

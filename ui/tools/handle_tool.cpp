@@ -152,9 +152,13 @@ void HandleTool::endPreview() {
 
 void HandleTool::commit(Document document, const QString& what) {
   previewing_ = false;  // ended by the commit
+  auto quick = detail_.isBehind() ? quickPreview(document, host().registry(), feature_) : std::nullopt;
   detail_.end();
   committing_ = true;  // the host tells of the change before it returns
-  host().commit(std::move(document), what);
+  if (quick)
+    host().commitCoarselyFirst(std::move(document), what, std::move(quick->document));
+  else
+    host().commit(std::move(document), what);
   committing_ = false;
   expected_ = host().document();
   documentChanged();

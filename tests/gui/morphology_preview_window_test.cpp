@@ -1,0 +1,143 @@
+#include "document/evaluation/quick_preview.h"
+#include "support/polyhedra.h"
+#include "ui/controls/ratio_slider.h"
+#include "ui/tree/document_tree.h"
+#include "window_fixture.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+using namespace blossom::test;
+
+/// What is seen of a sum that takes seconds while something it is made of is dragged: previews of where the hand is.
+class MorphologyPreviewWindowTest : public WindowFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openWindow(); }
+  void cleanup() { window_.reset(); }
+
+  void aSlowMorphIsPreviewedByItsSlider();
+  void aHandThatComesToRestSoonSeesWhereItIs();
+  void aSliderThatIsLetGoInAHurryShowsWhereItIs();
+  void theOutlineUnderASlowSumIsPreviewed();
+
+ private:
+  /// A result of `watched_` as it came: how it was made, and its volume.
+  struct Seen {
+    std::string way;
+    double volume = 0;
+  };
+
+  FeatureId slowMorph();
+  void watch(const FeatureId& id);
+  [[nodiscard]] std::string way() const { return seen_.empty() ? std::string() : seen_.back().way; }
+  void verifyPreviewOfTheLast();
+  void slideTo(RatioSlider& slider, double share) {
+    mouseIn(&slider, QEvent::MouseMove, QPointF(share * slider.width(), slider.height() / 2.0));
+  }
+  RatioSlider& sliderOnceSlow(const FeatureId& morph);
+
+  std::vector<Seen> seen_;
+};
+
+FeatureId MorphologyPreviewWindowTest::slowMorph() {
+  openNewDocument();
+  const FeatureId outline = add("modeling.star", {{"points", 7}, {"outer", 22}, {"inner", 12}});
+  const FeatureId gear = add("modeling.extrude", {{"height", 10}}, {outline});
+  const FeatureId ring = add("modeling.torus", {{"position", {60, 0, 0}}});
+  return add("morphology.solid-morph", {{"t", 0.5}}, {gear, ring});
+}
+
+void MorphologyPreviewWindowTest::watch(const FeatureId& id) {
+  seen_.clear();
+  connect(&window_->session(), &Session::viewsChanged, window_.get(), [this, id](const std::set<FeatureId>& changed) {
+    const auto view = window_->session().view(id);
+    if (!changed.contains(id) || !view || view->result->error) return;
+    seen_.push_back({view->result->evaluated.stats.value("way", std::string()), measureOf(id, "volume")});
+  });
+}
+
+/// Of a morph whose previews have begun to come.
+RatioSlider& MorphologyPreviewWindowTest::sliderOnceSlow(const FeatureId& morph) {
+  window_->tree().selectThese({morph});
+  watch(morph);
+  auto* const slider = window_->properties().field(QStringLiteral("t"))->findChild<RatioSlider*>();
+  mouseIn(slider, QEvent::MouseButtonPress, QPointF(0.5 * slider->width(), slider->height() / 2.0));
+  for (int k = 1; k <= 100 && way() != "field"; ++k) {
+    slideTo(*slider, 0.1 + 0.002 * k);
+    QTest::qWait(30);
+  }
+  return *slider;
+}
+
+/// The one before the exact result is of the same place: a grid is off by some percent, other places by much more.
+void MorphologyPreviewWindowTest::verifyPreviewOfTheLast() {
+  QTRY_VERIFY_WITH_TIMEOUT(!seen_.empty() && way() == "arranged" && !window_->session().evaluating(), 30000);
+  QVERIFY(seen_.size() >= 2);
+  const Seen& before = seen_[seen_.size() - 2];
+  QCOMPARE(before.way, std::string("field"));
+  COMPARE_NEAR(before.volume, seen_.back().volume, 0.1 * seen_.back().volume);
+}
+
+void MorphologyPreviewWindowTest::aSlowMorphIsPreviewedByItsSlider() {
+  const FeatureId morph = slowMorph();
+  RatioSlider& slider = sliderOnceSlow(morph);
+  QCOMPARE(way(), std::string("field"));  // seen while the slider moves
+  slideTo(slider, 0.45);
+  verifyPreviewOfTheLast();  // the hand rests
+  mouseIn(&slider, QEvent::MouseButtonRelease, QPointF(0.45 * slider.width(), slider.height() / 2.0));
+  waitUntilComputed();
+  QCOMPARE(way(), std::string("arranged"));
+  QVERIFY(window_->page().document().at(morph).parameters.value("preview", Value(0)) == 0);
+}
+
+/// Before the preview of that place has come: the whole result must not cut it off.
+void MorphologyPreviewWindowTest::aHandThatComesToRestSoonSeesWhereItIs() {
+  const FeatureId morph = slowMorph();
+  RatioSlider& slider = sliderOnceSlow(morph);
+  slideTo(slider, 0.95);
+  verifyPreviewOfTheLast();
+  mouseIn(&slider, QEvent::MouseButtonRelease, QPointF(0.95 * slider.width(), slider.height() / 2.0));
+}
+
+void MorphologyPreviewWindowTest::aSliderThatIsLetGoInAHurryShowsWhereItIs() {
+  const FeatureId morph = slowMorph();
+  RatioSlider& slider = sliderOnceSlow(morph);
+  slideTo(slider, 0.95);
+  mouseIn(&slider, QEvent::MouseButtonRelease, QPointF(0.95 * slider.width(), slider.height() / 2.0));
+  QVERIFY(!window_->session().previewing());
+  verifyPreviewOfTheLast();
+  QVERIFY(!window_->session().coarse());
+  QVERIFY(window_->session().document().at(morph).parameters.value("preview", Value(0)) == 0);
+}
+
+void MorphologyPreviewWindowTest::theOutlineUnderASlowSumIsPreviewed() {
+  openNewDocument();
+  const FeatureId outline = add("modeling.star", {{"points", 12}, {"outer", 22}, {"inner", 15}, {"rotation", 0}});
+  const FeatureId gear = add("modeling.extrude", {{"height", 10}}, {outline});
+  const FeatureId ring = add("modeling.torus", {{"radius", 8}, {"tube", 2}});
+  const FeatureId sum = add("morphology.solid-sum", Value::object(), {gear, ring});
+  run("view.top");
+  QTRY_VERIFY(std::abs(window_->view().camera().turn().pitch) > 1.5);
+  run("view.fit");
+  window_->tree().select(outline);
+  QTest::qWait(0);
+  watch(sum);
+  moveTo({22, 0, 0});
+  mouse(QEvent::MouseButtonPress, screenOf({22, 0, 0}));
+  // Slowly, so that the hand seems to rest between any two movements.
+  for (int k = 1; k <= 10; ++k) {
+    mouse(QEvent::MouseMove, screenOf({22 + 1.0 * k, 0, 0}), Qt::ControlModifier);
+    QTest::qWait(2 * previewPatience);
+  }
+  verifyPreviewOfTheLast();
+  QVERIFY(std::count_if(seen_.begin(), seen_.end(), [](const Seen& each) { return each.way == "field"; }) >= 2);
+  mouse(QEvent::MouseButtonRelease, screenOf({32, 0, 0}), Qt::ControlModifier);
+  waitUntilComputed();
+  COMPARE_NEAR(window_->session().document().at(outline).parameters.at("outer").get<double>(), 32,
+               3 * window_->view().camera().millimetresPerPixel());
+  QCOMPARE(way(), std::string("arranged"));
+}
+
+BLOSSOM_WINDOW_TEST(MorphologyPreviewWindowTest)
+#include "morphology_preview_window_test.moc"

@@ -156,9 +156,9 @@ SimulationOptions checkOf(const PocketParameters& p) { return {.depth = p.depth 
 double blendingOf(const PocketParameters& p) { return std::min(0.005, p.tolerance); }
 
 /// Nothing leaves here that was not driven through once.
-void addSimulation(const PocketParameters& p, const Region& region, Toolpath& path, Evaluated& out,
-                   const Progress& progress) {
-  const SimulationResult simulated = simulate(path, region, checkOf(p), progress);
+SimulationResult addSimulation(const PocketParameters& p, const Region& region, Toolpath& path, Evaluated& out,
+                               const Progress& progress) {
+  SimulationResult simulated = simulate(path, region, checkOf(p), progress);
   path.gouge = simulated.gouge;
   path.residue = simulated.residue;
   out.stats["reachable_mm2"] = simulated.reachable;
@@ -174,6 +174,7 @@ void addSimulation(const PocketParameters& p, const Region& region, Toolpath& pa
                 "Try a smaller tolerance, and please report the drawing.");
   }
   reportResidue(simulated, {0, 0, -p.depth + p.leaveFloor}, path, out);
+  return simulated;
 }
 
 Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Progress& progress) {
@@ -198,10 +199,12 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
   for (std::string& each : adviceOn(optionsOf(p))) out.warnings.push_back(std::move(each));
   Toolpath path = std::move(made.path);
   path.blending = blendingOf(p);
-  addSimulation(p, part.region, path, out, progress.part(0.6, 0.9));
+  const SimulationResult simulated = addSimulation(p, part.region, path, out, progress.part(0.6, 0.85));
   const double floor = -p.depth + p.leaveFloor;
-  reportUncut(uncutOf(part.region, path, {.floor = floor, .tolerance = 2 * p.tolerance}, progress.part(0.9, 1)), p.leaveWall,
-              floor, path, out);
+  const Uncut uncut = uncutOf(part.region, path, {.floor = floor, .tolerance = 2 * p.tolerance}, progress.part(0.85, 0.95));
+  const CoverageOptions measured{p.toolDiameter / 2, p.leaveWall, checkOf(p).tolerance};
+  reportCoverage(coverageOf(part.region, uncut, simulated, measured, progress.part(0.95, 1)), out);
+  reportUncut(uncut, p.leaveWall, floor, path, out);
   path.stock = stockOf(p, part.region, heights);
   path.workOffset = fmt::format("G{}", 54 + static_cast<int>(p.workOffset));
   out.stats["depths"] = made.depths;

@@ -68,12 +68,19 @@ void warnOfPlaces(const Uncut& uncut, double radius, double leave, std::vector<s
 
 }  // namespace
 
+void reportCoverage(const Coverage& coverage, Evaluated& out) {
+  const auto add = [&](const char* name, double area) { out.figures.push_back({name, area, MeasureUnit::Area}); };
+  add("part_mm2", coverage.part);
+  add("cut_mm2", coverage.cut);
+  add("unreachable_mm2", coverage.unreachable);
+  if (coverage.left > 0) add("left_mm2", coverage.left);
+}
+
 void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path, Evaluated& out) {
   const double radius = path.cutter.diameter / 2;
   out.figures.push_back({"uncut_mm2", uncut.area, MeasureUnit::Area});
   out.stats["uncut_within_mm2"] = uncut.within;
   out.stats["uncut_places"] = uncut.places.size();
-  out.stats["part_mm2"] = uncut.partArea;
   addDots(uncut, radius, floor, path.marks);
   warnOfPlaces(uncut, radius, leave, out.warnings);
 }

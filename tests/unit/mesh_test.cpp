@@ -106,6 +106,9 @@ class MeshTest : public QObject {
     QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{1});
     QCOMPARE(measured<std::int64_t>(m, "shells"), std::int64_t{2});
     COMPARE_NEAR(measured<double>(m, "volume"), 26, 1e-9);
+    Mesh apart = boxMesh({0, 0, 0}, {1, 1, 1});
+    for (int k = 1; k < 40; ++k) appendMesh(apart, boxMesh({1e6 + 7.3 * k, 1.1e5 * k, 3e5}, {0.1, 0.1, 0.1}));
+    QCOMPARE(measured<std::int64_t>(measure(apart), "components"), std::int64_t{40});
     const Measures insideOut = measure(inwards(boxMesh({0, 0, 0}, {1, 1, 1})));
     QCOMPARE(measured<std::int64_t>(insideOut, "components"), std::int64_t{1});
   }

@@ -10,13 +10,14 @@ namespace {
 /// Components that are no walls of voids: closed ones that look inwards, beside others that look outwards.
 std::size_t countBodies(const MeshTopology& topology, const Mesh& triangles, const std::vector<int>& faceOf) {
   std::vector<double> volumes(topology.components.size());
+  std::vector<int> origins(topology.components.size(), -1);  // of each, one of its own points: others may lie far away
   for (std::size_t t = 0; t < faceOf.size(); ++t) {
-    const auto corner = [&](std::size_t k) -> Vec3 {
-      const auto& points = triangles.points;
-      return points[static_cast<std::size_t>(triangles.faceVertices[3 * t + k])] - points.front();
-    };
-    const auto component = topology.componentOfFace[static_cast<std::size_t>(faceOf[t])];
-    volumes[static_cast<std::size_t>(component)] += corner(0).dot(corner(1).cross(corner(2)));
+    const auto component = static_cast<std::size_t>(topology.componentOfFace[static_cast<std::size_t>(faceOf[t])]);
+    const auto* const corners = &triangles.faceVertices[3 * t];
+    if (origins[component] < 0) origins[component] = corners[0];
+    const auto at = [&](int v) { return triangles.points[static_cast<std::size_t>(v)]; };
+    const Vec3 origin = at(origins[component]);
+    volumes[component] += (at(corners[0]) - origin).dot((at(corners[1]) - origin).cross(at(corners[2]) - origin));
   }
   std::size_t walls = 0;
   for (std::size_t c = 0; c < volumes.size(); ++c)

@@ -148,7 +148,7 @@ std::vector<Faces> partsInside(AreaTriangulation& triangulation, const EvenOdd& 
 AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress) {
   AreaTriangulation triangulation;
   insertPolygons(triangulation, polygons, progress);
-  takeDiagonalsFromTheLowest(triangulation);
+  takeDiagonalsFromTheLowest(triangulation, progress);
   AreaTriangles result;
   if (triangulation.dimension() < 2) return result;
   const std::vector<Faces> parts = partsInside(triangulation, EvenOdd(polygons, progress), progress);

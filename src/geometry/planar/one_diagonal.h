@@ -5,13 +5,16 @@
 #include <array>
 #include <vector>
 
+#include "core/progress.h"
+
 namespace blossom {
 
 /// Of corners that lie on one circle there are several constrained Delaunay triangulations, and CGAL takes one by the
 /// addresses of its faces: this takes the one whose diagonals begin at the lowest corner, by x and then y, whatever the
-/// addresses are. Each flip moves a diagonal to a lower corner, so that it ends. O(n) where few corners lie on one circle.
+/// addresses are. Each flip moves a diagonal to a lower corner, so that it ends. O(n) and the flips.
+/// @throws Error Cancelled.
 template <class Triangulation>
-void takeDiagonalsFromTheLowest(Triangulation& triangulation) {
+void takeDiagonalsFromTheLowest(Triangulation& triangulation, const Progress& progress = Progress::none()) {
   const auto isLower = [&](auto a, auto b) {
     return triangulation.geom_traits().compare_x_2_object()(a->point(), b->point()) != CGAL::EQUAL
                ? triangulation.geom_traits().less_x_2_object()(a->point(), b->point())
@@ -29,15 +32,23 @@ void takeDiagonalsFromTheLowest(Triangulation& triangulation) {
            triangulation.side_of_oriented_circle(face, opposite->point()) == CGAL::ON_ORIENTED_BOUNDARY;
   };
   if (triangulation.dimension() < 2) return;
-  for (bool flipped = true; flipped;) {
-    flipped = false;
-    for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
+  std::vector<typename Triangulation::Face_handle> open;
+  std::size_t looked = 0;
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
+    open.assign(1, face);
+    while (!open.empty()) {
+      if (++looked % 4096 == 0) progress.check();
+      auto handle = open.back();
+      open.pop_back();
       for (int k = 0; k < 3; ++k) {
-        typename Triangulation::Face_handle handle = face;
         if (!isToFlip(typename Triangulation::Edge(handle, k))) continue;
+        const auto beyond = handle->neighbor(k);
         triangulation.flip(handle, k);
-        flipped = true;
+        open.push_back(beyond);
+        open.push_back(handle);
+        break;
       }
+    }
   }
 }
 

@@ -27,7 +27,8 @@ bool lieInPlane(const std::vector<Point>& points) {
   return true;
 }
 
-Point toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+/// Without the sign of zeros, by which equal points could be told from one another.
+Point toPoint(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }
 
 }  // namespace
 

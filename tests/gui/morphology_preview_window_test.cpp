@@ -20,6 +20,7 @@ class MorphologyPreviewWindowTest : public WindowFixture {
   void aHandThatComesToRestSoonSeesWhereItIs();
   void aSliderThatIsLetGoInAHurryShowsWhereItIs();
   void theOutlineUnderASlowSumIsPreviewed();
+  void whatIsMadeOfAPreviewDoesNotHoldUpTheWhole();
 
  private:
   /// A result of `watched_` as it came: how it was made, and its volume.
@@ -137,6 +138,41 @@ void MorphologyPreviewWindowTest::theOutlineUnderASlowSumIsPreviewed() {
   COMPARE_NEAR(window_->session().document().at(outline).parameters.at("outer").get<double>(), 32,
                3 * window_->view().camera().millimetresPerPixel());
   QCOMPARE(way(), std::string("arranged"));
+}
+
+/// A subdivided grid mesh takes longer than the subdivided result, and nobody wants to see it.
+void MorphologyPreviewWindowTest::whatIsMadeOfAPreviewDoesNotHoldUpTheWhole() {
+  const FeatureId morph = slowMorph();
+  const FeatureId smooth = add("subdivision.subdivide", {{"levels", 3}}, {morph});
+  Session& session = window_->session();
+  watch(morph);
+  std::vector<std::string> waysWhenSmoothed;
+  connect(&session, &Session::viewsChanged, window_.get(), [&](const std::set<FeatureId>& changed) {
+    if (changed.contains(smooth)) waysWhenSmoothed.push_back(way());
+  });
+  const auto commitAt = [&](double t) {
+    Feature feature = session.document().at(morph);
+    feature.parameters["t"] = t;
+    const Document document = session.document().with(feature);
+    session.commit(document, QStringLiteral("Change t"), quickPreview(document, *session.app().registry, morph)->document);
+  };
+  commitAt(0.9);
+  waitUntilComputed();
+  QVERIFY(seen_.size() >= 2 && seen_.front().way == "field");
+  QCOMPARE(way(), std::string("arranged"));
+  QVERIFY(!waysWhenSmoothed.empty());
+  for (const std::string& each : waysWhenSmoothed) QCOMPARE(each, std::string("arranged"));
+  QVERIFY(!session.coarse());
+  // Cancelled while only the preview is there: it does not pass for the result.
+  seen_.clear();
+  commitAt(0.2);
+  QTRY_VERIFY_WITH_TIMEOUT(way() == "field", 30000);
+  session.cancelEvaluation();
+  QVERIFY(session.cancelled(morph) && session.cancelled(smooth));
+  session.compute();
+  waitUntilComputed();
+  QCOMPARE(way(), std::string("arranged"));
+  QVERIFY(!session.cancelled(morph) && !session.coarse());
 }
 
 BLOSSOM_WINDOW_TEST(MorphologyPreviewWindowTest)

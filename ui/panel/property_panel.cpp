@@ -311,6 +311,7 @@ void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
 
 void PropertyPanel::followViews(const std::set<FeatureId>& features) {
   if (shown_.empty()) return;
+  lookForQuick();
   const bool own = features.contains(shown_), others = features.size() > (own ? 1U : 0U);
   if (own) {
     refreshTimes();

@@ -86,6 +86,7 @@ class PropertyPanel : public QScrollArea {
   void preview(ParameterField*, const Value&);
   void sendPreview();
   void sendWhole(Document);
+  void lookForQuick();
   void endPreviews();
   void commit(ParameterField*, const Value&);
   void takeFiles(ParameterField*, const Document&);
@@ -112,15 +113,17 @@ class PropertyPanel : public QScrollArea {
   QWidget* resultTitle_ = nullptr;
   ResultTable* result_;
 
-  ParameterField* previewed_ = nullptr;  // the field that is dragged
-  std::optional<Value> waiting_;         // its newest value, not yet sent off
-  QElapsedTimer sent_;                   // since the last whole document
-  bool sentWhole_ = false;               // its results are awaited
-  bool sentQuick_ = false;               // those of a quick preview are
-  bool isSlow_ = false;                  // they took long
-  QTimer rest_;                          // after which the whole follows a quick preview that has come
-  QLabel* notice_ = nullptr;             // the first warning of the result
-  ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
+  ParameterField* previewed_ = nullptr;               // the field that is dragged
+  std::optional<Value> waiting_;                      // its newest value, not yet sent off
+  QElapsedTimer sent_;                                // since the last whole document
+  bool sentWhole_ = false;                            // its results are awaited
+  bool isQuick_ = false;                              // what was sent last is a quick preview
+  FeatureId quick_;                                   // of the features previewed quickly, the last, whose result is awaited
+  std::shared_ptr<const FeatureResult> beforeQuick_;  // its result when that was sent
+  bool isSlow_ = false;                               // they took long
+  QTimer rest_;                                       // after which the whole follows a quick preview that has come
+  QLabel* notice_ = nullptr;                          // the first warning of the result
+  ParameterField* faulty_ = nullptr;                  // the field that the evaluation complains of
   QString fault_;
 
   SequenceTime time_;

@@ -102,31 +102,49 @@ void PropertyPanel::tellWhatGaveWay(const ParameterSpec& set, const Value& befor
 void PropertyPanel::preview(ParameterField* field, const Value& value) {
   previewed_ = field;
   waiting_ = value;
-  if (!session_.evaluating()) sendPreview();
+  if (!session_.evaluating() || sentWhole_) sendPreview();
 }
 
-// Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
-// slow features still show something while they are dragged.
+// Only the newest value goes off, and only when the one before has come, or the evaluation of it to its end: dragging never
+// queues up, and slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
   const bool busy = session_.evaluating();
   if (sentWhole_) isSlow_ = sent_.elapsed() > previewPatience;  // has taken, or is taking
   if (!busy) sentWhole_ = false;
-  if (!busy && std::exchange(sentQuick_, false)) rest_.start();
-  if (!waiting_ || !previewed_ || (busy && !(sentWhole_ && isSlow_))) return;
+  if (!busy) quick_.clear();
+  if (!waiting_ && previewed_ && isQuick_ && quick_.empty()) {
+    if (!rest_.isActive()) rest_.start();
+    return;
+  }
+  const bool isFree = !busy || (sentWhole_ && isSlow_) || (isQuick_ && quick_.empty());
+  if (!waiting_ || !previewed_ || !isFree) return;
   Document document = session_.document().with(changed(previewed_->spec().name, *waiting_));
   auto quick = isSlow_ ? quickPreview(document, *session_.app().registry, shown_) : std::nullopt;
   if (busy && !quick) return;
   waiting_.reset();
   if (!quick) return sendWhole(std::move(document));
   sentWhole_ = false;
-  sentQuick_ = true;
+  isQuick_ = true;
+  quick_ = quick->last;
+  const auto view = session_.view(quick_);
+  beforeQuick_ = view ? view->result : nullptr;
   rest_.stop();
   session_.preview(std::move(document), std::move(quick->document));
 }
 
+/// What is made of the quick preview may take long: neither the next one nor the whole waits for that.
+void PropertyPanel::lookForQuick() {
+  if (quick_.empty()) return;
+  const auto view = session_.view(quick_);
+  if (!view || view->result == beforeQuick_) return;
+  quick_.clear();
+  QMetaObject::invokeMethod(this, &PropertyPanel::sendPreview, Qt::QueuedConnection);
+}
+
 void PropertyPanel::sendWhole(Document document) {
   rest_.stop();
-  sentQuick_ = false;
+  isQuick_ = false;
+  quick_.clear();
   sentWhole_ = true;
   sent_.start();
   QTimer::singleShot(previewPatience + 1, this,
@@ -135,7 +153,7 @@ void PropertyPanel::sendWhole(Document document) {
 }
 
 void PropertyPanel::commit(ParameterField* field, const Value& value) {
-  const bool isBehind = waiting_ || sentQuick_;
+  const bool isBehind = waiting_ || !quick_.empty();
   endPreviews();
   const Document document =
       session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
@@ -177,7 +195,8 @@ void PropertyPanel::endPreviews() {
   waiting_.reset();
   rest_.stop();
   previewed_ = nullptr;
-  sentWhole_ = sentQuick_ = false;
+  sentWhole_ = isQuick_ = false;
+  quick_.clear();
 }
 
 void PropertyPanel::revert() {

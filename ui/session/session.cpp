@@ -157,6 +157,7 @@ void Session::evaluate() {
         const std::shared_ptr<const FeatureView> view = cache->view(result, chord, progress);  // or cancelled
         here([this, id, view] {
           if (document().contains(id)) take(id, view);
+          if (coarser_ && !previewing() && coarseHasCome()) goOnWithTheWhole();
         });
       },
       [this, here](const Results& results) {
@@ -174,6 +175,21 @@ void Session::evaluate() {
           if (!evaluating_) watched_.reset();
         });
       });
+}
+
+/// The features that are coarser in its place, without those that are made of them.
+std::set<FeatureId> Session::coarseOnes() const {
+  std::set<FeatureId> ids;
+  for (const auto& feature : coarser_->features())
+    if (document().contains(feature->id) && feature->parameters != document().at(feature->id).parameters)
+      ids.insert(feature->id);
+  return ids;
+}
+
+/// What is made of them, and takes its time, is not made twice.
+bool Session::coarseHasCome() const {
+  const std::set<FeatureId> ids = coarseOnes();
+  return std::all_of(ids.begin(), ids.end(), [this](const FeatureId& id) { return arrived_.contains(id); });
 }
 
 /// What was committed is known coarsely by now.
@@ -235,11 +251,24 @@ void Session::cancelEvaluation() {
   evaluating_ = false;
   patience_.stop();
   cut_ = true;
+  if (coarser_ && !previewing()) forgetCoarseOnes();
   watched_.reset();
   tellViews();
   emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
+}
+
+/// Of a document that was committed: what is coarse, and what is made of it, is not what was asked for.
+void Session::forgetCoarseOnes() {
+  std::set<FeatureId> ids = coarseOnes();
+  for (const auto& feature : document().features()) {
+    const auto& inputs = feature->inputs;
+    if (std::any_of(inputs.begin(), inputs.end(), [&](const FeatureId& input) { return ids.contains(input); }))
+      ids.insert(feature->id);
+  }
+  for (const FeatureId& id : ids) arrived_.erase(id);
+  coarser_.reset();
 }
 
 bool Session::cancelled(const FeatureId& id) const { return cut_ && document().contains(id) && !arrived_.contains(id); }

@@ -119,7 +119,10 @@ class Session : public QObject {
  private:
   void take(const FeatureId&, std::shared_ptr<const FeatureView>);
   void evaluate();
+  [[nodiscard]] std::set<FeatureId> coarseOnes() const;
+  [[nodiscard]] bool coarseHasCome() const;
   void goOnWithTheWhole();
+  void forgetCoarseOnes();
   void keepWaiting();
   void keepParts(const std::map<FeatureId, Value>&);
   void changed(std::optional<Document> coarser = {});

@@ -60,9 +60,7 @@ const char* const cap = R"(
     float capAt = (capPlane.w - dot(capPlane.xyz, capFrom)) / dot(capPlane.xyz, capAlong);
     if (capAt > 0.0 && capAt < 1.0) {
       vec3 capPoint = capFrom + capAt * capAlong;
-      // As deep as the plane, so that what lies behind it is hidden; where solids overlap, the one whose far side is nearer.
-      vec2 capDeep = vec2(capDepth.x * capPoint.z + capDepth.y, capDepth.z * capPoint.z + capDepth.w);
-      gl_FragDepth = min(0.5 + 0.5 * capDeep.x / capDeep.y - 1.0e-6 * (1.0 - gl_FragCoord.z), gl_FragCoord.z);
+      gl_FragDepth -= 2.0 * fwidth(gl_FragCoord.z) + 3.0e-5;  // in front of the edges that lie on it
       float capLine = dot(capAcross.xyz, capPoint) + capAcross.w;
       float capWidth = fwidth(capLine) * 0.6;
       float capNear = abs(fract(capLine) - 0.5);
@@ -82,13 +80,6 @@ void setUniform(vtkUniforms& uniforms, const char* name, const Vec3& v, double w
   const std::array<float, 4> values{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
                                     static_cast<float>(w)};
   uniforms.SetUniform4f(name, values.data());
-}
-
-/// How the depth of a pixel comes from its place along the sight: (x z + y) / (z z + w), from -1 to 1.
-void setDepth(vtkUniforms& uniforms, const char* name, vtkCamera& camera) {
-  const vtkMatrix4x4& projection = *camera.GetProjectionTransformMatrix(1, -1, 1);
-  setUniform(uniforms, name, {projection.GetElement(2, 2), projection.GetElement(2, 3), projection.GetElement(3, 2)},
-             projection.GetElement(3, 3));
 }
 
 void setUniform(vtkUniforms& uniforms, const char* name, const Vec3& v) {
@@ -169,7 +160,6 @@ void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCame
   const Vec3 a = (std::abs(cut.normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).cross(cut.normal).normalized();
   const Vec3 across = (a + cut.normal.cross(a)).normalized() / look.spacing;
   setUniform(uniforms, "capAcross", turnedToEye(view, across), across.dot(eye));
-  setDepth(uniforms, "capDepth", camera);
   uniforms.SetUniformf("capParallel", camera.GetParallelProjection() ? 1 : 0);
   setUniform(uniforms, "capFill", look.fill);
   setUniform(uniforms, "capHatch", look.hatch);

@@ -157,7 +157,11 @@ void MorphologyPreviewWindowTest::whatIsMadeOfAPreviewDoesNotHoldUpTheWhole() {
     session.commit(document, QStringLiteral("Change t"), quickPreview(document, *session.app().registry, morph)->document);
   };
   commitAt(0.9);
+  // Once the preview is there, it is seen like a result until the exact one comes, and only then.
+  QTRY_VERIFY_WITH_TIMEOUT(way() == "field" && session.awaited(morph), 30000);
+  QVERIFY(session.standsIn(morph));
   waitUntilComputed();
+  QVERIFY(!session.standsIn(morph));
   QVERIFY(seen_.size() >= 2 && seen_.front().way == "field");
   QCOMPARE(way(), std::string("arranged"));
   QVERIFY(!waysWhenSmoothed.empty());

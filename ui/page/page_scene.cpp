@@ -80,7 +80,7 @@ std::optional<Presence> PageScene::presenceOf(const FeatureId& id, const Parts& 
   if (!selected && (parts.back.contains(id) || (parts.results.contains(id) && !parts.usedUp.contains(id))))
     return Presence::SteppedBack;
   if (!selected && parts.usedUp.contains(id)) return std::nullopt;
-  if (session_.outdated(id)) return Presence::Outdated;
+  if (session_.outdated(id) && !session_.standsIn(id)) return Presence::Outdated;
   if (session_.view(id)->result->error) return Presence::Failed;
   return !selected && parts.controls.contains(id) ? Presence::Beneath : Presence::Whole;
 }

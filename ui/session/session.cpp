@@ -80,8 +80,10 @@ void Session::commit(Document document, const QString& what, std::optional<Docum
 }
 
 void Session::preview(Document document, std::optional<Document> coarser) {
+  const bool isSame = std::ranges::equal(document.features(), this->document().features());
+  std::set<FeatureId> standIns = isSame && coarser_ ? arrived_ : std::set<FeatureId>();
   history_.preview(std::move(document));
-  changed(std::move(coarser));
+  changed(std::move(coarser), std::move(standIns));
 }
 
 void Session::endPreview() {
@@ -112,8 +114,9 @@ void Session::redo() {
   changed();
 }
 
-void Session::changed(std::optional<Document> coarser) {
+void Session::changed(std::optional<Document> coarser, std::set<FeatureId> standIns) {
   ++edits_;
+  standIns_ = std::move(standIns);
   coarser_ = std::move(coarser);
   coarse_ = coarse_ || coarser_;
   dropOldViews();
@@ -195,6 +198,7 @@ bool Session::coarseHasCome() const {
 /// What was committed is known coarsely by now.
 void Session::goOnWithTheWhole() {
   coarser_.reset();
+  standIns_ = arrived_;
   tellViews();
   evaluate();
 }
@@ -288,6 +292,8 @@ void Session::keepWaiting() {
 }
 
 bool Session::outdated(const FeatureId& id) const { return views_.contains(id) && (awaited(id) || cancelled(id)); }
+
+bool Session::standsIn(const FeatureId& id) const { return standIns_.contains(id) && awaited(id); }
 
 void Session::compute() { evaluate(); }
 

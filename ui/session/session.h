@@ -49,6 +49,8 @@ class Session : public QObject {
   [[nodiscard]] bool awaited(const FeatureId&) const;
   /// What is shown of it is that of an older document: it is awaited, or computing was cancelled before it.
   [[nodiscard]] bool outdated(const FeatureId&) const;
+  /// What is shown of it is a coarse result of this document, until its own comes.
+  [[nodiscard]] bool standsIn(const FeatureId&) const;
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool modified() const { return history_.modified(); }
   [[nodiscard]] bool writing() const { return writing_; }       ///< a file is being saved or exported
@@ -125,7 +127,7 @@ class Session : public QObject {
   void forgetCoarseOnes();
   void keepWaiting();
   void keepParts(const std::map<FeatureId, Value>&);
-  void changed(std::optional<Document> coarser = {});
+  void changed(std::optional<Document> coarser = {}, std::set<FeatureId> standIns = {});
   void tellWithheld();
   void replace(Document, const std::filesystem::path& file, const QString& name);
   /// False, and told, when the user began something here while the file was read.
@@ -147,6 +149,7 @@ class Session : public QObject {
   std::set<FeatureId> untold_;                   // of those that arrived
   QTimer telling_;                               // of them, in the next turn of the event loop
   std::optional<Document> coarser_;              // computed in place of the document
+  std::set<FeatureId> standIns_;                 // whose coarse results are shown until those of the same document come
   bool coarse_ = false;                          // something of it may be shown
   bool cut_ = false;                             // the last evaluation was cancelled
   std::set<FeatureId> late_;                     // awaited since before the evaluation under way

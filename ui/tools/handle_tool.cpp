@@ -152,11 +152,11 @@ void HandleTool::endPreview() {
 
 void HandleTool::commit(Document document, const QString& what) {
   previewing_ = false;  // ended by the commit
-  auto quick = detail_.isBehind() ? quickPreview(document, host().registry(), feature_) : std::nullopt;
+  const auto quick = detail_.isBehind() ? quickPreview(document, host().registry(), feature_) : std::nullopt;
   detail_.end();
   committing_ = true;  // the host tells of the change before it returns
   if (quick)
-    host().commitCoarselyFirst(std::move(document), what, std::move(quick->document));
+    host().commitCoarselyFirst(std::move(document), what, quick->document);
   else
     host().commit(std::move(document), what);
   committing_ = false;

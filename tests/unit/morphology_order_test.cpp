@@ -6,6 +6,7 @@
 #include "geometry/planar/area_triangulation.h"
 #include "kernel/convex/hull.h"
 #include "kernel/plane_triangles.h"
+#include "support/support.h"
 #include "support/test_main.h"
 
 using namespace blossom;

@@ -64,8 +64,8 @@ RatioSlider& MorphologyPreviewWindowTest::sliderOnceSlow(const FeatureId& morph)
   watch(morph);
   auto* const slider = window_->properties().field(QStringLiteral("t"))->findChild<RatioSlider*>();
   mouseIn(slider, QEvent::MouseButtonPress, QPointF(0.5 * slider->width(), slider->height() / 2.0));
-  for (int k = 1; k <= 100 && way() != "field"; ++k) {
-    slideTo(*slider, 0.1 + 0.002 * k);
+  for (int k = 1; k <= 1000 && way() != "field"; ++k) {
+    slideTo(*slider, 0.1 + 0.002 * (k % 100));
     QTest::qWait(30);
   }
   return *slider;

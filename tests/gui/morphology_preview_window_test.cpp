@@ -73,7 +73,7 @@ RatioSlider& MorphologyPreviewWindowTest::sliderOnceSlow(const FeatureId& morph)
 
 /// The one before the exact result is of the same place: a grid is off by some percent, other places by much more.
 void MorphologyPreviewWindowTest::verifyPreviewOfTheLast() {
-  QTRY_VERIFY_WITH_TIMEOUT(!seen_.empty() && way() == "arranged" && !window_->session().evaluating(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(!seen_.empty() && way() == "arranged" && !window_->session().evaluating(), 60000);
   QVERIFY(seen_.size() >= 2);
   const Seen& before = seen_[seen_.size() - 2];
   QCOMPARE(before.way, std::string("field"));

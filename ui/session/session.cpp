@@ -118,6 +118,7 @@ void Session::changed(std::optional<Document> coarser, std::set<FeatureId> stand
   ++edits_;
   standIns_ = std::move(standIns);
   coarser_ = std::move(coarser);
+  coarseOnes_ = coarser_ ? coarseOnes() : std::set<FeatureId>();
   coarse_ = coarse_ || coarser_;
   dropOldViews();
   emit documentChanged();
@@ -191,8 +192,7 @@ std::set<FeatureId> Session::coarseOnes() const {
 
 /// What is made of them, and takes its time, is not made twice.
 bool Session::coarseHasCome() const {
-  const std::set<FeatureId> ids = coarseOnes();
-  return std::all_of(ids.begin(), ids.end(), [this](const FeatureId& id) { return arrived_.contains(id); });
+  return std::all_of(coarseOnes_.begin(), coarseOnes_.end(), [this](const FeatureId& id) { return arrived_.contains(id); });
 }
 
 /// What was committed is known coarsely by now.
@@ -265,7 +265,7 @@ void Session::cancelEvaluation() {
 
 /// Of a document that was committed: what is coarse, and what is made of it, is not what was asked for.
 void Session::forgetCoarseOnes() {
-  std::set<FeatureId> ids = coarseOnes();
+  std::set<FeatureId> ids = coarseOnes_;
   for (const auto& feature : document().features()) {
     const auto& inputs = feature->inputs;
     if (std::any_of(inputs.begin(), inputs.end(), [&](const FeatureId& input) { return ids.contains(input); }))

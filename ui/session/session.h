@@ -150,6 +150,7 @@ class Session : public QObject {
   QTimer telling_;                               // of them, in the next turn of the event loop
   std::optional<Document> coarser_;              // computed in place of the document
   std::set<FeatureId> standIns_;                 // whose coarse results are shown until those of the same document come
+  std::set<FeatureId> coarseOnes_;               // the features that are coarser in it
   bool coarse_ = false;                          // something of it may be shown
   bool cut_ = false;                             // the last evaluation was cancelled
   std::set<FeatureId> late_;                     // awaited since before the evaluation under way

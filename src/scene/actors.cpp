@@ -50,7 +50,7 @@ ActorPtr faceActor(const SceneData& data, vtkPolyData* faces, const Look& look) 
   property.SetAmbient(0.10);
   property.SetDiffuse(0.86);
   property.SetSpecular(0.28);
-  shadeFaces(*actor, false);
+  shadeFaces(*actor);
   return actor;
 }
 

@@ -1,6 +1,8 @@
 #include "scene/picking.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "scene/pick_tree.h"
 
@@ -69,6 +71,11 @@ class Counter {
 };
 
 }  // namespace
+
+Vec3 CutPlane::axis() const {
+  const Vec3 up = std::abs(normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  return up.cross(normal).normalized();
+}
 
 PickIndex::PickIndex(const SceneData& scene) : tree_(std::make_unique<const Tree>(scene)) {}
 PickIndex::~PickIndex() = default;

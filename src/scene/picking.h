@@ -20,6 +20,7 @@ struct CutPlane {
   Vec3 normal = Vec3::UnitX();                                                         ///< unit length
   double offset = 0;                                                                   ///< mm
   [[nodiscard]] double height(const Vec3& p) const { return normal.dot(p) - offset; }  ///< above 0: cut away
+  [[nodiscard]] Vec3 axis() const;                                                     ///< a direction in the plane
 };
 
 /// The sub-shape hit by a ray; `index` as in geometry/occt/sub_shape.h.

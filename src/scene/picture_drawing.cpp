@@ -97,8 +97,7 @@ void fillScene(vtkRenderer* renderer, const std::vector<PictureDrawing>& drawn, 
   for (const auto& [shape, frames, study] : drawn) {
     for (const auto& actor : makeActors(shape, look)) {
       if (!edges && shape.faces && roleOf(actor) == ActorRole::Edges) continue;
-      if (roleOf(actor) == ActorRole::Faces && !shape.planar)
-        shadeFaces(*actor, false, {options.display, options.zebra, colors});
+      if (roleOf(actor) == ActorRole::Faces && !shape.planar) shadeFaces(*actor, {options.display, options.zebra, colors});
       renderer->AddActor(actor);
     }
     if (study && study->isoCurves && options.display == SurfaceDisplay::IsoCurves)

@@ -51,22 +51,12 @@ const char* const zebraStripes = R"(
   fragOutput0 = vec4(mix(vec3(0.04), mix(vec3(0.97), diffuseColor, 0.25), zebraLight), opacity);
 )";
 
-// The far side of a closed shape is only seen through the cut: there the sight line enters the material.
-const char* const cap = R"(
-  gl_FragDepth = gl_FragCoord.z;
-  if (!gl_FrontFacing) {
-    vec3 capFrom = capParallel > 0.5 ? vec3(vertexVC.xy, 0.0) : vec3(0.0);
-    vec3 capAlong = vertexVC.xyz - capFrom;
-    float capAt = (capPlane.w - dot(capPlane.xyz, capFrom)) / dot(capPlane.xyz, capAlong);
-    if (capAt > 0.0 && capAt < 1.0) {
-      vec3 capPoint = capFrom + capAt * capAlong;
-      gl_FragDepth -= 2.0 * fwidth(gl_FragCoord.z) + 3.0e-5;  // in front of the edges that lie on it
-      float capLine = dot(capAcross.xyz, capPoint) + capAcross.w;
-      float capWidth = fwidth(capLine) * 0.6;
-      float capNear = abs(fract(capLine) - 0.5);
-      fragOutput0 = vec4(mix(capFill, capHatch, 1.0 - smoothstep(capWidth, 2.0 * capWidth, capNear)), 1.0);
-    }
-  }
+// No light falls on a section: its colour is the same from all sides.
+const char* const hatching = R"(
+  float hatchAt = dot(hatchAcross.xyz, vertexVC.xyz) + hatchAcross.w;
+  float hatchWidth = fwidth(hatchAt) * 0.6;
+  float hatchNear = abs(fract(hatchAt) - 0.5);
+  fragOutput0 = vec4(mix(hatchFill, hatchLines, 1.0 - smoothstep(hatchWidth, 2.0 * hatchWidth, hatchNear)), opacity);
 )";
 
 Vec3 turnedToEye(const vtkMatrix4x4& view, const Vec3& d) {
@@ -136,13 +126,12 @@ vtkSmartPointer<vtkLookupTable> curvatureColors(SurfaceDisplay display, const Cu
   return table;
 }
 
-void shadeFaces(vtkActor& actor, bool capped, const FaceShading& shading) {
+void shadeFaces(vtkActor& actor, const FaceShading& shading) {
   vtkShaderProperty& shader = *actor.GetShaderProperty();
   const bool striped = shading.display == SurfaceDisplay::Zebra;
   shader.ClearAllFragmentShaderReplacements();
-  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
-                                      std::string(striped ? zebraStripes : lights) + (capped ? cap : ""), false);
-  shader.GetFragmentCustomUniforms()->RemoveAllUniforms();  // those of the cap are set before each frame
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true, striped ? zebraStripes : lights, false);
+  shader.GetFragmentCustomUniforms()->RemoveAllUniforms();
   if (striped) setUniform(*shader.GetFragmentCustomUniforms(), "zebraAcross", acrossStripes(shading.zebra));
   if (showsCurvature(shading.display) && shading.colors && hasCurvature(*actor.GetMapper(), shading.display))
     colorByCurvature(*actor.GetMapper(), shading);
@@ -150,19 +139,19 @@ void shadeFaces(vtkActor& actor, bool capped, const FaceShading& shading) {
     useOwnColors(*actor.GetMapper());
 }
 
-void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCamera& camera) {
+void shadeSection(vtkActor& actor) {
+  actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, hatching, false);
+}
+
+void placeHatching(vtkActor& actor, const CutPlane& cut, const HatchLook& look, vtkCamera& camera) {
   vtkUniforms& uniforms = *actor.GetShaderProperty()->GetFragmentCustomUniforms();
-  const vtkMatrix4x4& view = *camera.GetModelViewTransformMatrix();
   Vec3 eye;
   camera.GetPosition(eye.data());
-  setUniform(uniforms, "capPlane", turnedToEye(view, cut.normal), -cut.height(eye));
   // Lines at 45 degrees to the axes of the plane.
-  const Vec3 a = (std::abs(cut.normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).cross(cut.normal).normalized();
-  const Vec3 across = (a + cut.normal.cross(a)).normalized() / look.spacing;
-  setUniform(uniforms, "capAcross", turnedToEye(view, across), across.dot(eye));
-  uniforms.SetUniformf("capParallel", camera.GetParallelProjection() ? 1 : 0);
-  setUniform(uniforms, "capFill", look.fill);
-  setUniform(uniforms, "capHatch", look.hatch);
+  const Vec3 across = (cut.axis() + cut.normal.cross(cut.axis())).normalized() / look.spacing;
+  setUniform(uniforms, "hatchAcross", turnedToEye(*camera.GetModelViewTransformMatrix(), across), across.dot(eye));
+  setUniform(uniforms, "hatchFill", look.fill);
+  setUniform(uniforms, "hatchLines", look.lines);
 }
 
 }  // namespace blossom

@@ -22,9 +22,7 @@ struct FaceShading {
 
 /// Shades faces by the lights of `setUpRenderer` with a fragment shader written for them. Software rendering spends most of
 /// a frame there, and VTK's general code for four lights is several times slower.
-/// @param capped the shape is closed and cut by a section: its visible inside is painted as the section, hatched in the
-/// plane of the cut
-void shadeFaces(vtkActor&, bool capped, const FaceShading& = {});
+void shadeFaces(vtkActor&, const FaceShading& = {});
 
 /// Colours by those of the cells, or else by the actor's own one.
 void useOwnColors(vtkMapper&);
@@ -32,12 +30,14 @@ void useOwnColors(vtkMapper&);
 /// The colours of a curvature between the ends of a range, for `FaceShading`.
 vtkSmartPointer<vtkLookupTable> curvatureColors(SurfaceDisplay, const CurvatureRange&);
 
-/// Appearance of the section of closed shapes.
-struct CapLook {
-  Color fill, hatch;
-  double spacing = 5;  ///< mm between hatching lines
+/// Shades the section of a solid as a drawing does: filled and hatched.
+void shadeSection(vtkActor&);
+
+struct HatchLook {
+  Color fill, lines;
+  double spacing = 5;  ///< mm between the lines
 };
-/// Updates the plane of the section and its look in a capped actor. Call it before each frame.
-void placeCap(vtkActor&, const CutPlane&, const CapLook&, vtkCamera&);
+/// Updates the hatching of a section. Call it before each frame.
+void placeHatching(vtkActor&, const CutPlane&, const HatchLook&, vtkCamera&);
 
 }  // namespace blossom

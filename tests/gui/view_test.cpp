@@ -1,4 +1,3 @@
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <QApplication>
@@ -13,6 +12,7 @@
 #include "ui/look/theme.h"
 #include "ui/view/curvature_legend.h"
 #include "ui/view/view_widget.h"
+#include "view_fixture.h"
 #include "widget_test.h"
 
 using namespace blossom;
@@ -66,18 +66,6 @@ class ScribeTool : public Tool {
     return takes;
   }
 };
-
-SceneData sceneOf(const Shape& shape) {
-  SceneData scene = toSceneData(tessellate(shape, {.chord = 0.01, .angle = 0.1}));
-  scene.solid = true;
-  scene.picks = std::make_shared<const PickIndex>(scene);
-  return scene;
-}
-
-const Brep& box() {
-  static const Brep made(BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), 20, 20, 20).Shape());
-  return made;
-}
 
 }  // namespace
 
@@ -229,76 +217,6 @@ class ViewTest : public QObject {
     view_->setPickMode(PickMode::Vertex);
     drag(QPoint(2, 2), QPoint(797, 597));
     QVERIFY(view_->selectedParts().size() >= 8);
-  }
-
-  void whatTheSectionTakesAwayIsNotPicked() {
-    const QPointF corner = at({10, -10, 20});
-    QVERIFY(!view_->pickAt(corner, PickMode::Vertex).feature.empty());
-    const QImage whole = view_->grabFramebuffer();
-    view_->setSection(CutPlane{Vec3::UnitZ(), 12});
-    QVERIFY(view_->pickAt(corner, PickMode::Vertex).feature.empty());
-    const Pick cut = view_->pickAt(at({0, 0, 12}), PickMode::Feature);
-    QCOMPARE(cut.feature, FeatureId("box"));
-    COMPARE_NEAR(cut.part.point.z(), 12, 1e-9);
-    // The cut is drawn as a filled plane: no light falls on it that depends on the far sides.
-    const QImage sectioned = view_->grabFramebuffer();
-    QVERIFY(sectioned != whole);
-    if (qEnvironmentVariableIsSet("BLOSSOM_TEST_PICTURES")) sectioned.save(qEnvironmentVariable("BLOSSOM_TEST_PICTURES"));
-    view_->setSection({});
-    QVERIFY(!view_->pickAt(corner, PickMode::Vertex).feature.empty());
-  }
-
-  /// A groove from below, whose edges run close behind the cut.
-  void whatLiesBehindACutIsHidden() {
-    const TopoDS_Shape groove = BRepPrimAPI_MakeBox(gp_Pnt(-20, -3, -1), 40, 6, 12).Shape();
-    const SceneData grooved = sceneOf(Brep(BRepAlgoAPI_Cut(box().shape(), groove).Shape()));
-    for (const bool parallel : {false, true}) {
-      view_->setParallel(parallel);
-      std::vector<QImage> pictures;
-      for (const SceneData& scene : {box_, grooved}) {
-        view_->setItems({{"box", scene}});
-        view_->fitTo({{-10, -10, 0}, {10, 10, 20}}, false);
-        view_->setSection(CutPlane{Vec3::UnitZ(), 12});
-        pictures.push_back(view_->grabFramebuffer());
-      }
-      view_->setSection({});
-      int different = 0;
-      for (double x = -9; x <= 9; x += 0.25)
-        for (double y = -9; y <= 9; y += 0.25) {
-          const QPoint p = (at({x, y, 12}) * pictures[0].devicePixelRatio()).toPoint();
-          const QColor a = pictures[0].pixelColor(p), b = pictures[1].pixelColor(p);
-          if (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) > 40)
-            ++different;
-        }
-      // Edges beside which the far side lies deeper are seen through the cut by half of their width.
-      if (parallel) QEXPECT_FAIL("", "a cut is drawn on the far sides, not in its own place", Continue);
-      QCOMPARE(different, 0);
-    }
-    view_->setItems({{"box", box_}, {"ball", ball_}});
-  }
-
-  /// Faces that are left look as they did before the cut.
-  void whatLiesBesideACutIsNotHatched() {
-    for (const bool parallel : {false, true}) {
-      view_->setParallel(parallel);
-      view_->setItems({{"box", box_}});
-      view_->fitTo({{-16, -16, -6}, {16, 16, 26}}, false);
-      const QImage whole = view_->grabFramebuffer();
-      view_->setSection(CutPlane{-Vec3::UnitY(), 0});  // takes away what is nearer than the plane
-      const QImage cut = view_->grabFramebuffer();
-      view_->setSection({});
-      const auto off = [&](const Vec3& p) {
-        const QPoint pixel = (at(p) * whole.devicePixelRatio()).toPoint();
-        const QColor a = whole.pixelColor(pixel), b = cut.pixelColor(pixel);
-        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
-      };
-      for (double x = -9; x <= 9; x += 0.5)
-        for (double y = 1; y <= 9; y += 0.5) QVERIFY2(off({x, y, 20}) < 12, "a face that is left");
-      double most = 0;
-      for (double x = -9; x <= 9; x += 0.25) most = std::max<double>(most, off({x, 0, 10}));
-      QVERIFY2(most > 12, "the cut is hatched");
-    }
-    view_->setItems({{"box", box_}, {"ball", ball_}});
   }
 
   void orbitingKeepsThePointUnderTheMouse() {

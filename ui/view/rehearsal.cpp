@@ -75,7 +75,7 @@ void rehearse(Painter& painter) {
   items.setCulling(true);
   draw();
   items.setSection(CutPlane{Vec3::UnitX(), 0.2});
-  items.placeCaps(*stage->GetActiveCamera(), 0.01);
+  (void)items.followSection(*stage->GetActiveCamera(), 0.01);
   draw();
   painter.remove(stage);
 }

@@ -26,7 +26,7 @@ namespace {
 
 /// Cuts of hints and of controls stay open, so that those of the results are seen.
 bool isFilled(const SceneData& scene, Presence presence) {
-  return scene.solid && presence != Presence::SteppedBack && presence != Presence::Beneath;
+  return scene.solid && scene.faces && presence != Presence::SteppedBack && presence != Presence::Beneath;
 }
 
 /// The faces of a study are those of the scene, and know their curvatures.
@@ -78,7 +78,6 @@ ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
     const bool studied = !renewed && renewStudy(shown, item);
     if (renewed) change.shapes.push_back(item.id);
     if (recolored || renewed || studied) paint(item.id, shown);
-    if (recolored && section_) applySection(shown);
     change.colors = change.colors || recolored || studied;
   }
   if (followRange())
@@ -132,6 +131,7 @@ void ViewItems::replace(Shown& shown) {
 }
 
 void ViewItems::hide(Shown& shown) {
+  (void)shown.cap.leave(*renderer_);
   replace(shown);
   finish(shown);
 }
@@ -232,12 +232,14 @@ void ViewItems::applyMode(const Shown& shown) const {
         actor->GetProperty()->SetRepresentationToSurface();
       shade(*actor, shown);
     }
-    const bool edges = mode_ != DisplayMode::Shaded && mode_ != DisplayMode::Zebra;  // stripes show creases better
-    if (part == ActorRole::Edges) actor->SetVisibility(!shown.replaced && (edges || isDrawing(shown.scene)));
+    if (part == ActorRole::Edges) actor->SetVisibility(!shown.replaced && (showsEdges() || isDrawing(shown.scene)));
     if (part == ActorRole::IsoCurves) actor->SetVisibility(!shown.replaced && mode_ == DisplayMode::IsoCurves);
     if (part == ActorRole::Points) actor->SetVisibility(!shown.replaced);
   }
 }
+
+// Stripes show creases better.
+bool ViewItems::showsEdges() const { return mode_ != DisplayMode::Shaded && mode_ != DisplayMode::Zebra; }
 
 bool ViewItems::isReplaced(const FeatureId& id) const {
   return standIn_ && std::find(standIn_->insteadOf.begin(), standIn_->insteadOf.end(), id) != standIn_->insteadOf.end();
@@ -280,7 +282,7 @@ void ViewItems::drawCoarsely(bool coarsely) {
 
 void ViewItems::shade(vtkActor& actor, const Shown& shown) const {
   if (shown.scene.planar) return;
-  shadeFaces(actor, section_ && isFilled(shown.scene, shown.presence), {surfaceDisplay(mode_), zebra_, colors_});
+  shadeFaces(actor, {surfaceDisplay(mode_), zebra_, colors_});
 }
 
 void ViewItems::setHovered(const FeatureId& id) {
@@ -307,10 +309,6 @@ void ViewItems::applySection(const Shown& shown) const {
   for (const auto& actor : shown.actors) {
     actor->GetMapper()->RemoveAllClippingPlanes();
     if (section_) actor->GetMapper()->AddClippingPlane(clip_);
-    // The cut is drawn in front of the edges behind it, by so little that it stays behind all else.
-    if (roleOf(actor) == ActorRole::Edges && shown.scene.solid)
-      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(section_ ? -1 : -3, section_ ? -1 : -6);
-    if (roleOf(actor) == ActorRole::Faces) shade(*actor, shown);
   }
   applyCulling(shown);
 }
@@ -329,23 +327,29 @@ void ViewItems::applyCulling(const Shown& shown) const {
                                                mode_ != DisplayMode::Wireframe);
 }
 
-void ViewItems::placeCaps(vtkCamera& camera, double millimetresPerPixel) const {
-  if (!section_) return;
+bool ViewItems::followSection(vtkCamera& camera, double millimetresPerPixel) {
   const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
-  for (const auto& [id, shown] : shown_)
-    for (const auto& actor : shown.actors) {
-      if (!isFilled(shown.scene, shown.presence) || roleOf(actor) != ActorRole::Faces) continue;
-      const double* c = actor->GetProperty()->GetColor();
-      const Color fill = mixed({c[0], c[1], c[2]}, look_.backgroundBottom, 0.35);
-      placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera);
-    }
+  bool changed = false;
+  for (auto& [id, shown] : shown_) {
+    if (!shown.coming.empty()) continue;  // what is replaced stays, with its section, until the new shape is whole
+    if (section_ && mode_ != DisplayMode::Wireframe && !shown.replaced && isFilled(shown.scene, shown.presence))
+      changed = shown.cap.follow(*renderer_, *drawnData(shown.scene, shown.study.get()).faces, *section_) || changed;
+    else
+      changed = shown.cap.leave(*renderer_) || changed;
+    shown.cap.paint(paintOf(id, shown), spacing, showsEdges(), camera);
+  }
+  return changed;
 }
 
 vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
 
 void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
-  const ItemPaint paint{shown.scene, shown.role, shown.presence, look_, !id.empty() && id == hovered_};
+  const ItemPaint paint = paintOf(id, shown);
   for (const auto& actor : shown.actors) paintActor(*actor, paint);
+}
+
+ItemPaint ViewItems::paintOf(const FeatureId& id, const Shown& shown) const {
+  return {shown.scene, shown.role, shown.presence, look_, !id.empty() && id == hovered_};
 }
 
 bool ViewItems::planar() const {

@@ -15,6 +15,7 @@
 #include "ui/plugin/tool.h"
 #include "ui/view/display_mode.h"
 #include "ui/view/item_paint.h"
+#include "ui/view/section_cap.h"
 
 class vtkCamera;
 class vtkPlane;
@@ -56,8 +57,9 @@ class ViewItems {
   [[nodiscard]] std::optional<double> curvatureAt(const Pick&) const;
   /// Leaves out the far sides of closed shapes, which are hidden: half the work.
   void setCulling(bool);
-  /// To be called before each frame. @param millimetresPerPixel in the plane of the section
-  void placeCaps(vtkCamera&, double millimetresPerPixel) const;
+  /// Fills and hatches solids where the section cuts them. To be called before each frame.
+  /// @param millimetresPerPixel in the plane of the section. @returns whether the renderer has other actors now
+  bool followSection(vtkCamera&, double millimetresPerPixel);
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
   /// What a tool shows instead of some shapes, which can be picked all the same. @returns whether other data are shown
   bool setStandIn(const std::optional<StandIn>&);
@@ -93,6 +95,7 @@ class ViewItems {
     Presence presence = Presence::Whole;
     bool replaced = false;  ///< something stands in for it
     std::shared_ptr<const SurfaceStudy> study;
+    SectionCap cap;
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
@@ -105,6 +108,8 @@ class ViewItems {
   void hide(Shown&);
   void finish(Shown&);
   void paint(const FeatureId&, const Shown&) const;
+  [[nodiscard]] ItemPaint paintOf(const FeatureId&, const Shown&) const;
+  [[nodiscard]] bool showsEdges() const;
   [[nodiscard]] bool isReplaced(const FeatureId&) const;
   void markReplaced();
   void applyMode(const Shown&) const;

@@ -169,7 +169,7 @@ void ViewStage::prepare(const CameraControl& control, QSize view, QPointF offset
   renderer_->ResetCameraClippingRange();
   keepGridInSight();
   items_.setCulling(!items_.extent().contains(Vec3(camera.GetPosition())));
-  items_.placeCaps(camera, control.millimetresPerPixel());
+  if (items_.followSection(camera, control.millimetresPerPixel())) keepGridLast();
   camera.SetWindowCenter(2 * offset.x() / picture.width(), 2 * offset.y() / picture.height());
 }
 

@@ -68,9 +68,9 @@ void insertPolygons(AreaTriangulation& triangulation, const std::vector<std::vec
 }
 
 /// Tells whether a place lies in the area, by the sides to the right of it.
-class EvenOdd {
+class Membership {
  public:
-  EvenOdd(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress) {
+  Membership(const std::vector<std::vector<Vec2>>& polygons, FillRule rule, const Progress& progress) : rule_(rule) {
     std::vector<Box2> boxes;
     for (const std::vector<Vec2>& polygon : polygons)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -82,20 +82,24 @@ class EvenOdd {
   }
 
   [[nodiscard]] bool contains(const Vec2& p) const {
-    bool inside = false;
+    int crossings = 0, winding = 0;
     tree_.meeting(Box2(p).extend(Vec2(std::max(right_, p.x()), p.y())), [&](std::size_t i) {
       const auto& [a, b] = sides_[i];
       if ((a.y() > p.y()) == (b.y() > p.y())) return;
       const double turn = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-      if ((turn > 0) == (b.y() > a.y())) inside = !inside;
+      const bool rises = b.y() > a.y();
+      if ((turn > 0) != rises) return;
+      ++crossings;
+      winding += rises ? 1 : -1;
     });
-    return inside;
+    return rule_ == FillRule::EvenOdd ? crossings % 2 != 0 : winding != 0;
   }
 
  private:
   struct Side {
     Vec2 from, to;
   };
+  FillRule rule_;
   std::vector<Side> sides_;
   BoxTree<2> tree_;
   double right_ = 0;
@@ -129,7 +133,7 @@ Vec2 placeAmong(const AreaTriangulation& triangulation, const Faces& faces) {
 }
 
 /// Which side of a side is inside cannot be told from the triangulation, as several sides may lie on an edge.
-std::vector<Faces> partsInside(AreaTriangulation& triangulation, const EvenOdd& area, const Progress& progress) {
+std::vector<Faces> partsInside(AreaTriangulation& triangulation, const Membership& area, const Progress& progress) {
   constexpr int unseen = 0, seen = 1;
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) face->info() = unseen;
   facesAround(triangulation, triangulation.infinite_face(), seen);
@@ -145,13 +149,13 @@ std::vector<Faces> partsInside(AreaTriangulation& triangulation, const EvenOdd& 
 
 }  // namespace
 
-AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress) {
+AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress, FillRule rule) {
   AreaTriangulation triangulation;
   insertPolygons(triangulation, polygons, progress);
   takeDiagonalsFromTheLowest(triangulation, progress);
   AreaTriangles result;
   if (triangulation.dimension() < 2) return result;
-  const std::vector<Faces> parts = partsInside(triangulation, EvenOdd(polygons, progress), progress);
+  const std::vector<Faces> parts = partsInside(triangulation, Membership(polygons, rule, progress), progress);
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
     v->info() = static_cast<int>(result.points.size());
     result.points.emplace_back(v->point().x(), v->point().y());

@@ -4,6 +4,7 @@
 
 #include "core/progress.h"
 #include "core/vector.h"
+#include "geometry/planar/region.h"
 
 namespace blossom {
 
@@ -13,9 +14,9 @@ struct AreaTriangles {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Constrained Delaunay triangulation of the area that closed polygons enclose by the even-odd rule. The polygons may
-/// touch, overlap and cross: sides that lie on one another twice bound nothing. About O(n log n) for sides that do not
-/// cross. Predicates of the triangulation are exact; a place where sides cross is rounded. @throws Error Cancelled.
-AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress&);
+/// Constrained Delaunay triangulation of the area that closed polygons enclose by a fill rule. The polygons may touch,
+/// overlap and cross. About O(n log n) for sides that do not cross. Predicates of the triangulation are exact; a place where
+/// sides cross is rounded. @throws Error Cancelled.
+AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress&, FillRule = FillRule::EvenOdd);
 
 }  // namespace blossom

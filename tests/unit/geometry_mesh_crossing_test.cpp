@@ -131,6 +131,28 @@ Mesh crumpledGrid(std::mt19937_64& random, int side, int moves) {
   return mesh;
 }
 
+double ofAnySize(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  return unit(random) * std::pow(10, 8 * unit(random));
+}
+
+/// Two triangles with no corner, one or two in common: flat ones, needles, one in the plane of the other but for the last
+/// bits of its corners, near the origin and far away.
+Mesh trianglesNearEachOther(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto place = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  const Vec3 origin = 10 * place(), x = place(), y = place(), thin = y * std::abs(ofAnySize(random)) * 1e-8;
+  const Vec3 far = unit(random) > 0 ? Vec3::Zero() : Vec3(place() * 1e6);
+  const int shared = static_cast<int>(3 * std::abs(unit(random)));
+  Mesh mesh;
+  for (int k = 0; k < 6 - shared; ++k)
+    mesh.points.push_back(origin + far + unit(random) * x + unit(random) * (unit(random) > 0 ? y : thin));
+  if (unit(random) > 0) mesh.points.back() += 1e-15 * ofAnySize(random) * place();
+  mesh.addFace(std::array{0, 1, 2});
+  mesh.addFace(shared == 0 ? std::array{3, 4, 5} : shared == 1 ? std::array{2, 3, 4} : std::array{2, 1, 3});
+  return mesh;
+}
+
 /// Every face has points of its own.
 Mesh withOwnPoints(const Mesh& mesh) {
   Mesh result;
@@ -172,6 +194,20 @@ class GeometryMeshCrossingTest : public QObject {
       crossing += firstCrossing(mesh).has_value() ? 1 : 0;
     }
     QVERIFY(crossing > 0 && crossing < 40);
+  }
+
+  /// Where doubles seem to tell them apart, and where they do not.
+  void pairsAgreeWithRationals() {
+    std::mt19937_64 random = seededRandom();
+    int crossing = 0;
+    constexpr int pairs = 4000;
+    for (int k = 0; k < pairs; ++k) {
+      const Mesh mesh = trianglesNearEachOther(random);
+      const bool expected = firstByRationals(mesh).has_value();
+      QCOMPARE(firstCrossing(mesh).has_value(), expected);
+      crossing += expected ? 1 : 0;
+    }
+    QVERIFY(crossing > pairs / 20 && crossing < pairs - pairs / 20);
   }
 
   void nearMissesAreTold() {

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 
+#include "geometry/mesh/triangles_apart.h"
+
 namespace blossom {
 namespace {
 
@@ -45,18 +47,9 @@ Vec3 meetingPlace(const Triangle3& a, const Triangle3& b) {
   return (feet.first + feet.second) / 2;
 }
 
-/// Whether the other two corners of b lie on one side of the plane of a, off it.
-bool liesAside(const Triangle3& a, const Triangle3& b, std::size_t cornerOfB) {
-  const auto p = toCrossingKernel(a[0]), q = toCrossingKernel(a[1]), r = toCrossingKernel(a[2]);
-  const auto side = [&](std::size_t k) { return CGAL::orientation(p, q, r, toCrossingKernel(b[(cornerOfB + k) % 3])); };
-  const CGAL::Orientation first = side(1);
-  return first != CGAL::COPLANAR && first == side(2);
-}
-
 /// What two triangles have in common is convex, so beyond a shared corner it reaches the far side of one of them.
 std::optional<Vec3> beyondCorner(const Triangle3& a, const Triangle3& b, std::size_t cornerOfA, std::size_t cornerOfB) {
-  // Most neighbours are told apart by signs that doubles decide.
-  if (liesAside(a, b, cornerOfB) || liesAside(b, a, cornerOfA)) return std::nullopt;
+  if (areApartBeyondCorner(a, b, cornerOfA, cornerOfB)) return std::nullopt;
   const auto meets = [](const Triangle3& triangle, const Triangle3& side) {
     const CrossingKernel::Segment_3 segment(toCrossingKernel(side[0]), toCrossingKernel(side[1]));
     return CGAL::do_intersect(toCrossingKernel(triangle), segment);
@@ -70,6 +63,7 @@ std::optional<Vec3> beyondCorner(const Triangle3& a, const Triangle3& b, std::si
 /// Over one side they overlap when they lie in one plane on the same side of it.
 std::optional<Vec3> foldedOver(const Triangle3& a, const Triangle3& b, std::size_t freeOfA, std::size_t freeOfB) {
   const Vec3 &from = a[(freeOfA + 1) % 3], &to = a[(freeOfA + 2) % 3];
+  if (lieAcross(from, to, a[freeOfA], b[freeOfB])) return std::nullopt;
   const auto p = toCrossingKernel(from), q = toCrossingKernel(to);
   const auto x = toCrossingKernel(a[freeOfA]), y = toCrossingKernel(b[freeOfB]);
   if (!CGAL::coplanar(p, q, x, y) || CGAL::coplanar_orientation(p, q, x, y) != CGAL::POSITIVE) return std::nullopt;
@@ -91,7 +85,7 @@ std::optional<Vec3> crossingElsewhere(const Triangle3& a, const Triangle3& b) {
   const SharedCorners shared = sharedCorners(a, b);
   switch (shared.count) {
     case 0:
-      if (!CGAL::do_intersect(toCrossingKernel(a), toCrossingKernel(b))) return std::nullopt;
+      if (areApart(a, b) || !CGAL::do_intersect(toCrossingKernel(a), toCrossingKernel(b))) return std::nullopt;
       return meetingPlace(a, b);
     case 1:
       return beyondCorner(a, b, shared.inFirst[0], shared.inSecond[0]);

@@ -34,29 +34,68 @@ bool CellRows::all(const Cell& low, const Cell& high) const {
 
 namespace {
 
-using Corners = std::array<Eigen::Vector3d, 3>;  // in cells
+/// A convex polygon in cells: a triangle cut by a layer and a row, four times. A cut adds one corner, or where rounding
+/// makes a side zigzag across it, half as many as there are: no more than thirteen in the end.
+struct Piece {
+  std::array<Eigen::Vector3d, 13> corners;  // not set beyond `count`
+  std::size_t count = 0;
+
+  Piece() = default;
+  explicit Piece(const Triangle3& t) : corners{t[0], t[1], t[2]}, count(3) {}
+  void add(const Eigen::Vector3d& p) { corners[count++] = p; }
+  [[nodiscard]] std::array<int, 2> cellsAlong(Eigen::Index axis) const {
+    double low = corners[0][axis], high = low;
+    for (std::size_t k = 1; k < count; ++k) {
+      low = std::min(low, corners[k][axis]);
+      high = std::max(high, corners[k][axis]);
+    }
+    return {static_cast<int>(std::floor(low - roundingInCells)), static_cast<int>(std::floor(high + roundingInCells))};
+  }
+};
+
+/// The part on one side of `at`, that of `sign`. Corners on borders are as far off as they are rounded along an edge, so
+/// what lies within the layer or row itself is kept.
+Piece cutAt(const Piece& piece, Eigen::Index axis, double at, double sign) {
+  Piece kept;
+  for (std::size_t k = 0; k < piece.count; ++k) {
+    const Eigen::Vector3d &from = piece.corners[k], &to = piece.corners[k + 1 == piece.count ? 0 : k + 1];
+    const double here = sign * (from[axis] - at), there = sign * (to[axis] - at);
+    if (here >= 0) kept.add(from);
+    if ((here < 0) != (there < 0)) kept.add(from + (to - from) * (here / (here - there)));
+  }
+  return kept;
+}
+
+/// The part within cells of that number along an axis, and a little beside them.
+Piece within(const Piece& piece, Eigen::Index axis, int cell) {
+  return cutAt(cutAt(piece, axis, cell - roundingInCells, 1), axis, cell + 1 + roundingInCells, -1);
+}
 
 /// Marks the cells that a triangle touches, and some beside it.
-void markTouched(const Corners& t, CellRows& touched) {
-  const Eigen::Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-  if ((high - low).maxCoeff() <= 1) {
-    const TouchedCells box(low, high);
-    touched.mark(box.low, box.high);
-    return;
+void markTouched(const Triangle3& triangle, CellRows& touched) {
+  const Piece whole(triangle);
+  const auto layers = whole.cellsAlong(2);
+  for (int z = std::max(layers[0], 0); z <= std::min(layers[1], touched.cells()[2] - 1); ++z) {
+    const Piece layer = layers[0] == layers[1] ? whole : within(whole, 2, z);
+    if (layer.count == 0) continue;
+    const auto rows = layer.cellsAlong(1);
+    for (int y = std::max(rows[0], 0); y <= std::min(rows[1], touched.cells()[1] - 1); ++y) {
+      const Piece row = rows[0] == rows[1] ? layer : within(layer, 1, y);
+      if (row.count == 0) continue;
+      const auto [first, last] = row.cellsAlong(0);
+      touched.mark({first, y, z}, {last, y, z});
+    }
   }
-  const Corners middles{(t[1] + t[2]) / 2, (t[2] + t[0]) / 2, (t[0] + t[1]) / 2};
-  markTouched(middles, touched);
-  for (std::size_t k = 0; k < 3; ++k) markTouched({t[k], middles[(k + 2) % 3], middles[(k + 1) % 3]}, touched);
 }
 
 CellRows touchedCells(const std::vector<Triangle3>& triangles, const std::array<int, 3>& cells, const Progress& progress) {
   CellRows touched(cells);
   std::mutex one;
-  parallelFor(triangles.size(), 128, progress, [&](std::size_t first, std::size_t last) {
+  parallelFor(triangles.size(), 64, progress, [&](std::size_t first, std::size_t last) {
     CellRows here(cells);
     for (std::size_t t = first; t < last; ++t) {
       progress.check();
-      markTouched({triangles[t][0], triangles[t][1], triangles[t][2]}, here);
+      markTouched(triangles[t], here);
     }
     const std::scoped_lock lock(one);
     touched.add(here);

@@ -17,7 +17,7 @@ using namespace blossom::ui;
 
 namespace {
 
-int difference(const QColor& a, const QColor& b) {
+int offBetween(const QColor& a, const QColor& b) {
   return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
 }
 
@@ -79,7 +79,7 @@ class SectionViewTest : public QObject {
       int different = 0;
       for (double x = -9; x <= 9; x += 0.25)
         for (double y = -9; y <= 9; y += 0.25)
-          different += difference(colorAt(pictures[0], {x, y, 12}), colorAt(pictures[1], {x, y, 12})) > 40;
+          different += offBetween(colorAt(pictures[0], {x, y, 12}), colorAt(pictures[1], {x, y, 12})) > 40;
       QCOMPARE(different, 0);
     }
   }
@@ -93,7 +93,7 @@ class SectionViewTest : public QObject {
       view_->setSection(CutPlane{-Vec3::UnitY(), 0});  // takes away what is nearer than the plane
       const QImage cut = view_->grabFramebuffer();
       view_->setSection({});
-      const auto off = [&](const Vec3& p) { return difference(colorAt(whole, p), colorAt(cut, p)); };
+      const auto off = [&](const Vec3& p) { return offBetween(colorAt(whole, p), colorAt(cut, p)); };
       for (double x = -9; x <= 9; x += 0.5)
         for (double y = 1; y <= 9; y += 0.5) QVERIFY2(off({x, y, 20}) < 12, "a face that is left");
       int most = 0;
@@ -121,7 +121,7 @@ class SectionViewTest : public QObject {
     view_->setSection({});
     const QImage whole = view_->grabFramebuffer();
     for (double x = -9; x <= 9; x += 0.5)
-      for (double z = 1; z <= 19; z += 0.5) QVERIFY(difference(colorAt(cut, {x, 10, z}), colorAt(whole, {x, 10, z})) < 12);
+      for (double z = 1; z <= 19; z += 0.5) QVERIFY(offBetween(colorAt(cut, {x, 10, z}), colorAt(whole, {x, 10, z})) < 12);
   }
 
   /// What is replaced, hidden or shown as wires takes its section along.

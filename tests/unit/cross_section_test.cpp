@@ -1,6 +1,6 @@
 // Sections of drawn solids against generalised winding numbers: the solid angles of all triangles, seen from points of the
 // plane.
-#include "scene/cross_section.h"
+#include "scene/section/cross_section.h"
 
 #include <vtkCellArray.h>
 #include <vtkPoints.h>

@@ -10,7 +10,7 @@
 #include "ui/plugin/manipulator.h"
 #include "ui/session/session.h"
 #include "ui/timeline/playback.h"
-#include "ui/view/view_items.h"
+#include "ui/view/items/view_items.h"
 
 class vtkProp;
 

@@ -7,8 +7,8 @@
 #include "scene/scene.h"
 #include "ui/tools/view_props.h"
 #include "ui/view/ground_grid.h"
+#include "ui/view/items/view_items.h"
 #include "ui/view/painter.h"
-#include "ui/view/view_items.h"
 
 namespace blossom::ui {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ui/view/view_items.h"
+#include "ui/view/items/view_items.h"
 
 namespace blossom::ui {
 

@@ -8,8 +8,8 @@
 
 #include "ui/fields/marked_parts.h"
 #include "ui/view/ground_grid.h"
+#include "ui/view/items/view_items.h"
 #include "ui/view/view_highlight.h"
-#include "ui/view/view_items.h"
 
 class vtkProp;
 class vtkRenderer;

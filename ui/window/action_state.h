@@ -5,7 +5,7 @@
 
 #include "document/document.h"
 #include "ui/look/theme.h"
-#include "ui/view/view_items.h"
+#include "ui/view/items/view_items.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "scene/section_chains.h"
+#include "scene/section/section_chains.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ui/view/view_items.h"
+#include "ui/view/items/view_items.h"
 
 namespace blossom::ui {
 

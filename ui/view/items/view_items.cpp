@@ -1,4 +1,4 @@
-#include "ui/view/view_items.h"
+#include "ui/view/items/view_items.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -18,7 +18,7 @@
 #include "scene/camera.h"
 #include "scene/shading.h"
 #include "ui/thread/refreshes.h"
-#include "ui/view/item_paint.h"
+#include "ui/view/items/item_paint.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/view/item_paint.h"
+#include "ui/view/items/item_paint.h"
 
 #include <vtkActor.h>
 #include <vtkCellData.h>

@@ -1,4 +1,4 @@
-#include "scene/cross_section.h"
+#include "scene/section/cross_section.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -10,7 +10,7 @@
 #include <map>
 
 #include "geometry/planar/area_triangulation.h"
-#include "scene/section_chains.h"
+#include "scene/section/section_chains.h"
 
 namespace blossom {
 

@@ -1,11 +1,11 @@
-#include "ui/view/section_cap.h"
+#include "ui/view/items/section_cap.h"
 
 #include <vtkCamera.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "scene/cross_section.h"
+#include "scene/section/cross_section.h"
 #include "scene/shading.h"
 
 namespace blossom::ui {

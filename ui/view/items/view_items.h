@@ -14,8 +14,8 @@
 #include "scene/surface_study.h"
 #include "ui/plugin/tool.h"
 #include "ui/view/display_mode.h"
-#include "ui/view/item_paint.h"
-#include "ui/view/section_cap.h"
+#include "ui/view/items/item_paint.h"
+#include "ui/view/items/section_cap.h"
 
 class vtkCamera;
 class vtkPlane;

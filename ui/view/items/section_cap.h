@@ -7,7 +7,7 @@
 
 #include "scene/picking.h"
 #include "scene/scene.h"
-#include "ui/view/item_paint.h"
+#include "ui/view/items/item_paint.h"
 
 class vtkCamera;
 class vtkRenderer;

@@ -210,6 +210,26 @@ class GeometryMeshCrossingTest : public QObject {
     QVERIFY(crossing > pairs / 20 && crossing < pairs - pairs / 20);
   }
 
+  /// Sizes at which heights overflow before errors would, or underflow.
+  void sizesNearTheEndsOfNumbers() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_int_distribution<int> place(-4, 4), shared(0, 2);
+    int crossing = 0;
+    for (const int exponent : {-150, -100, -80, 75, 76, 77, 100, 101, 102, 103})
+      for (int k = 0; k < 150; ++k) {
+        Mesh mesh;
+        const int common = shared(random);
+        for (int i = 0; i < 6 - common; ++i)
+          mesh.points.push_back(Vec3(place(random), place(random), place(random)) * 2 * std::pow(10, exponent));
+        mesh.addFace(std::array{0, 1, 2});
+        mesh.addFace(common == 0 ? std::array{3, 4, 5} : common == 1 ? std::array{2, 3, 4} : std::array{2, 1, 3});
+        const bool expected = firstByRationals(mesh).has_value();
+        QCOMPARE(firstCrossing(mesh).has_value(), expected);
+        crossing += expected ? 1 : 0;
+      }
+    QVERIFY(crossing > 50 && crossing < 1400);
+  }
+
   void nearMissesAreTold() {
     // The corner of one triangle over the middle of another, off by the last bit of its height.
     for (const double height : {-1e-300, 0.0, 1e-300}) {

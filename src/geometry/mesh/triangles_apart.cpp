@@ -7,8 +7,11 @@
 namespace blossom {
 namespace {
 
-/// More than the rounding of a scalar or triple product of differences of places, and of what underflows in it.
+/// More than the rounding of a scalar or triple product of differences of places, and of what underflows in it. Errors are
+/// products of the same factors in the same order, so that they overflow where heights do, and compare as false.
 constexpr double roundingOfProducts = 1e-14, underflowOfProducts = 1e-290;
+/// Of the lengths of two sides: parts of smaller normals may have underflowed.
+constexpr double smallestProduct = 1e-250;
 
 /// Above a plane with some normal.
 struct Heights {
@@ -29,7 +32,7 @@ double largest(const Vec3& p) { return p.lpNorm<Eigen::Infinity>(); }
 
 /// @param reach no coordinate is larger
 bool isBetween(const Vec3& normal, const Triangle3& a, const Triangle3& b, double reach) {
-  const double error = roundingOfProducts * normal.lpNorm<1>() * reach + underflowOfProducts;
+  const double error = roundingOfProducts * (normal.lpNorm<1>() * reach) + underflowOfProducts;
   const Heights ofA(normal, a), ofB(normal, b);
   return ofA.low - ofB.high > error || ofB.low - ofA.high > error;
 }
@@ -42,7 +45,7 @@ Sides sidesFrom(const Triangle3& t, std::size_t corner) {
 
 /// Whether all of b lies on one side of a plane through the common corner, and nothing of a does.
 bool isBetween(const Vec3& normal, const Sides& a, const Sides& b, double reach) {
-  const double error = roundingOfProducts * normal.lpNorm<1>() * reach + underflowOfProducts;
+  const double error = roundingOfProducts * (normal.lpNorm<1>() * reach) + underflowOfProducts;
   const Heights ofA(normal, a), ofB(normal, b);
   return (ofA.low > error && ofB.high < -error) || (ofB.low > error && ofA.high < -error);
 }
@@ -51,8 +54,9 @@ bool isBetween(const Vec3& normal, const Sides& a, const Sides& b, double reach)
 /// normal.
 bool isAside(const Sides& a, const Sides& b, double reach) {
   const Vec3 normal = a[0].cross(a[1]);
-  const double error =
-      roundingOfProducts * (normal.lpNorm<1>() + 3 * largest(a[0]) * largest(a[1])) * reach + underflowOfProducts;
+  const double size = largest(a[0]) * largest(a[1]);
+  if (size < smallestProduct) return false;
+  const double error = roundingOfProducts * ((normal.lpNorm<1>() + 3 * size) * reach) + underflowOfProducts;
   const Heights heights(normal, b);
   return heights.low > error || heights.high < -error;
 }
@@ -89,7 +93,8 @@ bool areApartBeyondCorner(const Triangle3& a, const Triangle3& b, std::size_t co
 
 bool lieAcross(const Vec3& p, const Vec3& q, const Vec3& x, const Vec3& y) {
   const Vec3 along = q - p, u = x - p, v = y - p;
-  const double size = largest(along) * largest(along) * largest(u) * largest(v);
+  const double ofX = largest(along) * largest(u), ofY = largest(along) * largest(v), size = ofX * ofY;
+  if (std::min(ofX, ofY) < smallestProduct) return false;
   return along.cross(u).dot(along.cross(v)) < -100 * roundingOfProducts * size - underflowOfProducts;
 }
 

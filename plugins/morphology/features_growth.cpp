@@ -86,19 +86,21 @@ FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
   const auto untilSize = [&](ParameterSpec spec) {
     return texts.canMeltToNothing ? onlyFor(std::move(spec), "until", {"size"}) : spec;
   };
+  const auto ofBall = [](ParameterSpec spec) { return onlyWithout(std::move(spec), "element"); };
   if (texts.canMeltToNothing)
     made.parameter("until", &P::until, choice({"size", "nothing"}),
                    "How far it melts: by the radius or size, or as far as anything is left.");
-  made.parameter("radius", &P::radius, untilSize(positiveLength()), texts.radius)
-      .parameter("size", &P::size, untilSize(positiveNumber()), "How many times as large as drawn an element is taken.")
+  made.parameter("radius", &P::radius, ofBall(untilSize(positiveLength())), texts.radius)
+      .parameter("size", &P::size, onlyWith(untilSize(positiveNumber()), "element"),
+                 "How many times as large as drawn an element is taken.")
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from size 0 to the whole size; 0 makes only the last one.")
       .parameter("control", &P::control, controlChoice(), "Growth of the size over the frames.")
       .parameter("curve", &P::curve, controlCurveSpec(),
                  "The share of the whole size at times from 0 to 1; linear between them.")
-      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
+      .parameter("subdivisions", &P::subdivisions, ofBall(count(0, maximumSubdivisions)),
                  "Fineness of the ball: 20 faces, with each subdivision four times as many.")
-      .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
+      .parameter("fit", &P::fit, ofBall(choice({"inscribed", "circumscribed"})),
                  "Whether the ball's polyhedron lies inside it or around it.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);

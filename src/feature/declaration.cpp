@@ -35,7 +35,8 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
   if (spec.kind == ParameterKind::Record && spec.fields.empty()) broken(what, "declares no fields");
   std::set<std::string> names;
   for (auto& field : spec.fields) {
-    if (!field.condition.choice.empty()) broken(what, "holds a field with a condition; only whole parameters can have one");
+    if (!field.condition.choice.empty() || !field.inputCondition.input.empty())
+      broken(what, "holds a field with a condition; only whole parameters can have one");
     refuseInnerFilling(what, spec, field, element);
     settle(owner, field, spec.kind == ParameterKind::List);
     if (!names.insert(field.name).second) broken(what, fmt::format("declares the field \"{}\" twice", field.name));
@@ -82,9 +83,17 @@ void checkFilling(const FeatureType& type, const std::string& what, const Parame
     broken(what, fmt::format("begins as \"{}\", which is no parameter of the kind of its items", filling.like));
 }
 
-void checkFillings(const FeatureType& type) {
+void checkInputCondition(const FeatureType& type, const std::string& what, const ParameterSpec& spec) {
+  const std::string& name = spec.inputCondition.input;
+  const auto named = [&](const InputSpec& input) { return input.name == name && input.minimum == 0; };
+  if (!name.empty() && std::none_of(type.inputs.begin(), type.inputs.end(), named))
+    broken(what, fmt::format("applies only with or without \"{}\", which is no input there that may be left out", name));
+}
+
+void checkShapesNamed(const FeatureType& type) {
   for (const ParameterSpec& spec : type.parameters) {
     const std::string what = fmt::format("The parameter \"{}\" of {}", spec.name, type.id);
+    checkInputCondition(type, what, spec);
     checkFilling(type, what, spec);
     if (spec.kind == ParameterKind::List) checkFilling(type, what, spec.fields.at(0));
   }
@@ -191,7 +200,7 @@ void check(FeatureType& type) {
     if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
   }
   checkConditions(type.id, type.parameters);
-  checkFillings(type);
+  checkShapesNamed(type);
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);

@@ -100,10 +100,16 @@ std::string describe(const ParameterSpec& spec, const LengthUnit& unit) {
 }
 
 std::string describeCondition(const ParameterSpec& spec) {
-  if (spec.condition.choice.empty()) return {};
-  std::string choice = spec.condition.choice;
-  std::replace(choice.begin(), choice.end(), '-', ' ');
-  return fmt::format("only if {} is {}", choice, enumerated(spec.condition.values, "or"));
+  const auto spoken = [](std::string name) {
+    std::replace(name.begin(), name.end(), '-', ' ');
+    return name;
+  };
+  std::string text;
+  if (!spec.condition.choice.empty())
+    text = fmt::format("only if {} is {}", spoken(spec.condition.choice), enumerated(spec.condition.values, "or"));
+  if (spec.inputCondition.input.empty()) return text;
+  return fmt::format("{} {} {}", text.empty() ? "only" : text + ",", spec.inputCondition.given ? "with" : "without",
+                     spoken(spec.inputCondition.input));
 }
 
 bool applies(const ParameterSpec& spec, const std::vector<ParameterSpec>& specs, const Value& given) {
@@ -213,6 +219,16 @@ ParameterSpec whenNone(ParameterSpec spec, std::string means) {
 
 ParameterSpec onlyFor(ParameterSpec spec, std::string choice, std::vector<std::string> values) {
   spec.condition = {std::move(choice), std::move(values)};
+  return spec;
+}
+
+ParameterSpec onlyWith(ParameterSpec spec, std::string input) {
+  spec.inputCondition = {std::move(input), true};
+  return spec;
+}
+
+ParameterSpec onlyWithout(ParameterSpec spec, std::string input) {
+  spec.inputCondition = {std::move(input), false};
   return spec;
 }
 

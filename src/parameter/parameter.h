@@ -38,6 +38,13 @@ struct ParameterCondition {
   friend bool operator==(const ParameterCondition&, const ParameterCondition&) = default;
 };
 
+/// Whether an input has to be given for a parameter to mean something; otherwise its value is accepted and not used.
+struct InputCondition {
+  std::string input;  ///< name of an input of the same feature type; empty: no condition
+  bool given = false;
+  friend bool operator==(const InputCondition&, const InputCondition&) = default;
+};
+
 /// How many items a list is to have, so that a form can fill it: one for each shape of an input, or some more or fewer.
 struct ListFilling {
   std::string input;  ///< name of an input of the same feature type; empty: any number of items
@@ -63,6 +70,7 @@ struct ParameterSpec {
   bool mayBeAbsent = false;           ///< with a null fallback: the value may be left out
   std::string noneMeans;              ///< meaning of an empty list or an absent value: "all sharp edges"
   ParameterCondition condition;       ///< set by onlyFor; not for fields of records and elements of lists
+  InputCondition inputCondition;      ///< set by onlyWith and onlyWithout; as `condition`
   ListFilling filling;                ///< of a List, set by onePer: of a whole parameter, or of each item of one
 };
 
@@ -71,7 +79,7 @@ std::string label(const ParameterSpec&);
 /// Accepted values, for help and manual: "length in mm, above 0 mm"; of a parameter with a condition that follows: "..; only
 /// if kind is torus or tube".
 std::string describe(const ParameterSpec&, const LengthUnit& = {});
-/// "only if kind is torus or tube"; empty when the parameter always applies.
+/// "only if kind is torus or tube, without element"; empty when the parameter always applies.
 std::string describeCondition(const ParameterSpec&);
 /// Whether a parameter means anything beside the values `given` of the others; what is absent, or no value that the choice
 /// has, counts as its default. `specs` are the parameters of the feature type.
@@ -127,6 +135,10 @@ ParameterSpec whenNone(ParameterSpec, std::string means);
 /// Says beside which values of a choice the parameter means something: onlyFor(number(), "kind", {"helicoid"}). Forms hide
 /// it beside the others; values are accepted as before.
 ParameterSpec onlyFor(ParameterSpec, std::string choice, std::vector<std::string> values);
+/// Says that the parameter means something only where an input is given, or is not: onlyWithout(positiveLength(),
+/// "element"). Forms hide it otherwise; values are accepted as before.
+ParameterSpec onlyWith(ParameterSpec, std::string input);
+ParameterSpec onlyWithout(ParameterSpec, std::string input);
 /// Says how many items a list is to have: onePer(list(ratio()), "shape", -1, "t") is one for each shape after the first,
 /// beginning as t. Forms add all that are missing at once; lists of other lengths are accepted as before.
 ParameterSpec onePer(ParameterSpec list, std::string input, int more = 0, std::string like = {});

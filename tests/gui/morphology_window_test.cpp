@@ -46,6 +46,7 @@ class MorphologyWindowTest : public WindowFixture {
   void twoSolidsAreAddedOneMeltsAndTheResultIsSaved();
   void theFacetsOfASumAreShown();
   void aMorphPlaysInTheTimeline();
+  void whatIsOfTheBallIsHiddenBesideAnElement();
   void theRadiusIsDragged();
   void aRoundedSolidIsDragged();
   void aLongSumIsCancelled();
@@ -217,6 +218,22 @@ FeatureId MorphologyWindowTest::featureOfABlock(const char* command, const char*
   QTest::qWait(0);
   window_->tree().select(made);
   return made;
+}
+
+void MorphologyWindowTest::whatIsOfTheBallIsHiddenBesideAnElement() {
+  const FeatureId inflated = featureOfABlock("feature.morphology.inflate", "5 mm");
+  const FeatureId block = window_->page().document().at(inflated).inputs.front();
+  const auto seen = [&](const char* name) { return window_->properties().field(QLatin1String(name))->isVisible(); };
+  QVERIFY(seen("radius") && seen("subdivisions") && seen("fit") && !seen("size"));
+  importMore(written(triangulated(cornerTetrahedron()).first, "tool.off"));
+  Feature byElement = window_->page().document().at(inflated);
+  byElement.inputs = {block, last()};
+  window_->session().commit(window_->page().document().with(byElement), QStringLiteral("Choose"));
+  select({inflated});
+  waitUntilComputed();
+  QVERIFY(!seen("radius") && !seen("subdivisions") && !seen("fit") && seen("size"));
+  window_->session().undo();
+  QVERIFY(seen("radius") && !seen("size"));
 }
 
 void MorphologyWindowTest::theRadiusIsDragged() {

@@ -300,6 +300,8 @@ class ParameterTest : public QObject {
     QCOMPARE(describeCondition(always), std::string());
     QCOMPARE(describeCondition(some), std::string("only if kind of it is ring or tube"));
     QCOMPARE(describe(some), std::string("length in mm, above 0 mm; only if kind of it is ring or tube"));
+    QCOMPARE(describeCondition(onlyWithout(always, "the-other")), std::string("only without the other"));
+    QCOMPARE(describeCondition(onlyWith(some, "other")), std::string("only if kind of it is ring or tube, with other"));
     ParameterSpec kind = withName("kind-of-it", choice({"ball", "ring", "tube"}));
     kind.fallback = "ball";
     std::vector<ParameterSpec> specs{kind, always, some};

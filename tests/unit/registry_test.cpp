@@ -185,6 +185,21 @@ class RegistryTest : public QObject {
     QCOMPARE(registry.types().size(), std::size_t{1});
   }
 
+  void parametersMayApplyWithOrWithoutAnInput() {
+    for (const char* name : {"shape", "nothing"}) {
+      for (const std::size_t minimum : {std::size_t{0}, std::size_t{1}}) {
+        Registry registry;
+        FeatureType type = thingType();
+        type.inputs = {{.name = "shape", .help = "A shape.", .kinds = {ShapeKind::Mesh}, .minimum = minimum}};
+        type.parameters[0] = onlyWith(type.parameters[0], name);
+        if (name == std::string("shape") && minimum == 0)
+          registry.add(type);
+        else
+          VERIFY_ERROR(registry.add(type), ErrorCode::PluginBroken);
+      }
+    }
+  }
+
   void parametersMayApplyForSomeValuesOfAChoice() {
     Registry registry;
     FeatureType type = thingType();

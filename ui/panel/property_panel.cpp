@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "app/reference_page.h"
@@ -280,7 +281,13 @@ void PropertyPanel::refreshFields() {
 // A row that says nothing stays while something is typed in it, which would be lost or entered unasked, and while something
 // is wrong with it, which could not be mended otherwise.
 void PropertyPanel::showOrHide(ParameterField& field) {
-  const bool says = saysAnything(field.spec(), *type_, session_.document().at(shown_), *session_.app().formats);
+  const Feature& feature = session_.document().at(shown_);
+  const auto isGiven = [&](const std::string& name) {
+    const auto spec =
+        std::find_if(type_->inputs.begin(), type_->inputs.end(), [&](const InputSpec& each) { return each.name == name; });
+    return !InputSlots(session_, feature, *type_).of(static_cast<std::size_t>(spec - type_->inputs.begin())).empty();
+  };
+  const bool says = saysAnything(field.spec(), *type_, feature, *session_.app().formats, isGiven);
   const bool shown = says || field.editing() || !field.problem().isEmpty();
   if (!shown && picking_.isFor(&field)) endPick();
   field.setVisible(shown);

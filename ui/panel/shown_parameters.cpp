@@ -36,8 +36,10 @@ bool hasTime(const ParameterSpec& spec, const FeatureType& type, const Feature& 
 }  // namespace
 
 // An import shows the options of the format that its file has, and not those of the others.
-bool saysAnything(const ParameterSpec& spec, const FeatureType& type, const Feature& feature,
-                  const FormatRegistry& formats) {
+bool saysAnything(const ParameterSpec& spec, const FeatureType& type, const Feature& feature, const FormatRegistry& formats,
+                  const std::function<bool(const std::string& input)>& isGiven) {
+  const InputCondition& beside = spec.inputCondition;
+  if (!beside.input.empty() && isGiven(beside.input) != beside.given) return false;
   if (!applies(spec, type.parameters, feature.parameters) || !hasTime(spec, type, feature)) return false;
   if (feature.type != "exchange.import") return true;
   const auto file = feature.parameters.find("file");

@@ -130,7 +130,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   constexpr double visible = 1e-6;
   if (result.gouge > visible) {
     const Vec3 at = result.gougeAt + place;
-    path.marks.push_back(at);
+    path.marks.push_back({at, MarkKind::Gouge});
     out.stats["gouge_at"] = tipText(at);
   }
   warnOfWalls(path, result, options, place, out.warnings);

@@ -15,7 +15,7 @@ Toolpath translated(Toolpath path, const Vec3& by) {
     path.stock.high += by;
   }
   if (path.task) path.task->zero += by;
-  for (Vec3& mark : path.marks) mark += by;
+  for (ToolMark& mark : path.marks) mark.at += by;
   return path;
 }
 

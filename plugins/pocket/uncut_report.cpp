@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
+
+#include "kernel/check/tool_reach.h"
 
 namespace blossom::pocket {
 
@@ -16,18 +20,24 @@ double hatchLength(const Uncut& uncut) {
   return sum;
 }
 
-/// Dots along the rows of each place, its deepest point first.
-void addDots(const Uncut& uncut, double radius, double floor, std::vector<Vec3>& marks) {
+/// Dots along the rows of each place, its deepest point first; of those that lie together, one. Where the simulation found
+/// nothing missed, none is: rows go on across gaps as narrow as the path is rounded.
+void addDots(const Uncut& uncut, const ToolReach& reach, double radius, double floor, Toolpath& path) {
+  const bool isAllReached = path.residue.value_or(0) == 0;
   constexpr double maximumDots = 4000;
   const double apart = std::max(radius / 4, hatchLength(uncut) / maximumDots);
+  std::set<std::pair<long, long>> taken;
+  const auto add = [&](const Vec2& at) {
+    const MarkKind kind = reach.at(at);
+    if (kind == MarkKind::Missed && isAllReached) return;
+    if (taken.emplace(std::lround(at.x() / apart), std::lround(at.y() / apart)).second)
+      path.marks.push_back({Vec3(at.x(), at.y(), floor), kind});
+  };
   for (const UncutPlace& place : uncut.places) {
-    marks.emplace_back(place.at.x(), place.at.y(), floor);
+    add(place.at);
     for (const auto& [from, to] : place.hatch) {
-      const int steps = static_cast<int>((to - from).norm() / apart);
-      for (int i = 1; i < steps; ++i) {
-        const Vec2 at = from + (to - from) * i / steps;
-        marks.emplace_back(at.x(), at.y(), floor);
-      }
+      const int steps = std::max(2, static_cast<int>((to - from).norm() / apart));
+      for (int i = 1; i < steps; ++i) add(from + (to - from) * i / steps);
     }
   }
 }
@@ -56,14 +66,14 @@ void warnOfPlaces(const Uncut& uncut, double radius, double leave, std::vector<s
   }
   if (!largest) return;
   const Vec2& at = largest->at;
-  warnings.push_back(
-      (places == 1
-           ? fmt::format("{:.2f} mm² stay uncut near ({:.2f}, {:.2f}), where the tool does not get in; dots show where.",
-                         area, at.x(), at.y())
-           : fmt::format("{:.2f} mm² stay uncut at {} places where the tool does not get in, the largest ({:.2f} mm²) near "
-                         "({:.2f}, {:.2f}); dots show where.",
-                         area, places, largest->area, at.x(), at.y())) +
-      restOf(uncut, area, places, leave));
+  const char* const why =
+      leave > 0 ? "where the tool does not get in or is kept from the walls" : "where the tool does not get in";
+  warnings.push_back((places == 1 ? fmt::format("{:.2f} mm² stay uncut near ({:.2f}, {:.2f}), {}; dots show where.", area,
+                                                at.x(), at.y(), why)
+                                  : fmt::format("{:.2f} mm² stay uncut at {} places {}, the largest ({:.2f} mm²) near "
+                                                "({:.2f}, {:.2f}); dots show where.",
+                                                area, places, why, largest->area, at.x(), at.y())) +
+                     restOf(uncut, area, places, leave));
 }
 
 }  // namespace
@@ -76,13 +86,14 @@ void reportCoverage(const Coverage& coverage, Evaluated& out) {
   if (coverage.left > 0) add("left_mm2", coverage.left);
 }
 
-void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path, Evaluated& out) {
-  const double radius = path.cutter.diameter / 2;
+void reportUncut(const Uncut& uncut, const Region& part, const CoverageOptions& options, double floor, Toolpath& path,
+                 Evaluated& out, const Progress& progress) {
   out.figures.push_back({"uncut_mm2", uncut.area, MeasureUnit::Area});
   out.stats["uncut_within_mm2"] = uncut.within;
   out.stats["uncut_places"] = uncut.places.size();
-  addDots(uncut, radius, floor, path.marks);
-  warnOfPlaces(uncut, radius, leave, out.warnings);
+  if (uncut.places.empty()) return;
+  addDots(uncut, ToolReach(part, options, progress), options.radius, floor, path);
+  warnOfPlaces(uncut, options.radius, options.leave, out.warnings);
 }
 
 }  // namespace blossom::pocket

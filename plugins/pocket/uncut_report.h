@@ -10,8 +10,9 @@ namespace blossom::pocket {
 /// With `residue_mm2` of the path they add up.
 void reportCoverage(const Coverage&, Evaluated&);
 
-/// Reports the uncut area: the figure `uncut_mm2`, dots over the places, and a warning when a place is larger than the
-/// rounding in a square corner. @param leave mm, stock to leave on the walls
-void reportUncut(const Uncut&, double leave, double floor, Toolpath&, Evaluated&);
+/// Reports the uncut area: the figure `uncut_mm2`, dots over the places that tell why they are uncut, and a warning when a
+/// place is larger than the rounding in a square corner. @throws Error as ToolReach.
+void reportUncut(const Uncut&, const Region& part, const CoverageOptions&, double floor, Toolpath&, Evaluated&,
+                 const Progress& = Progress::none());
 
 }  // namespace blossom::pocket

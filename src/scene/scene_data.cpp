@@ -171,6 +171,8 @@ vtkSmartPointer<vtkPolyData> makeMarkers(const Tessellation& t) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetVerts(cells);
+  if (!t.markerColors.empty())
+    data->GetCellData()->SetScalars(colorArray(t.markers.size(), [&](std::size_t i) { return t.markerColors.at(i); }));
   return data;
 }
 

@@ -67,7 +67,7 @@ Toolpath loadToolpath(const Value& v, const fs::path& folder) {
   std::ifstream stream(folder / v.at("file").get<std::string>(), std::ios::binary);
   Toolpath path;
   path.moves = readArray<ToolMove>(stream);
-  path.marks = readArray<Vec3>(stream);
+  path.marks = readArray<ToolMark>(stream);
   path.cutter = toCutter(v.at("cutter"));
   path.start = toVector<Vec3>(v.at("start"));
   path.rapidFeed = v.at("rapid_feed");

@@ -68,6 +68,31 @@ class PocketCoverageTest : public QObject {
     QVERIFY(excessOf(plain) < 1e-4 && excessOf(thick) < 1e-4);
   }
 
+  /// Dots tell why a place is not cut: beside the walls what is left, in the corners what no tool reaches.
+  void dotsTellWhy() {
+    const Region box{{boxPath(0, 0, 60, 20)}};
+    for (const double leave : {0.0, 1.0}) {
+      const Evaluated pocket = made("pocket", {{"tool-diameter", 6}, {"depth", 2}, {"leave-wall", leave}}, {box});
+      const std::vector<ToolMark>& marks = pocket.shape.get<Toolpath>()->marks;
+      int left = 0, unreachable = 0;
+      for (const ToolMark& mark : marks) {
+        const Vec2 aside = (mark.at.head<2>() - Vec2(30, 10)).cwiseAbs() - Vec2(27, 7);  // from the middle of a round corner
+        const double beyond = aside.minCoeff() > 0 ? aside.norm() - 3 : -1;
+        if (std::abs(beyond) < 0.03) continue;  // the tolerance beside the border
+        QCOMPARE(mark.kind, beyond > 0 ? MarkKind::Unreachable : MarkKind::Left);
+        ++(beyond > 0 ? unreachable : left);
+      }
+      QVERIFY(unreachable >= 8);
+      QCOMPARE(left > 40, leave > 0);
+    }
+    // What a program leaves out is missed.
+    Toolpath cutShort = *made("pocket", {{"tool-diameter", 6}, {"depth", 2}}, {box}).shape.get<Toolpath>();
+    std::erase_if(cutShort.moves, [](const ToolMove& move) { return move.kind == MoveKind::Feed && move.to.x() > 40; });
+    const Evaluated checked = made("simulate", Value::object(), {cutShort, box});
+    const std::vector<ToolMark>& marks = checked.shape.get<Toolpath>()->marks;
+    QVERIFY(std::any_of(marks.begin(), marks.end(), [](const ToolMark& mark) { return mark.kind == MarkKind::Missed; }));
+  }
+
   void sharesAddUpToThePart() {
     std::mt19937_64 random = seededRandom();
     double worst = 0, worstOfMoves = 0, out = 0;

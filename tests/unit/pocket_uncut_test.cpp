@@ -220,7 +220,9 @@ class PocketUncutTest final : public QObject {
     const Toolpath* path = slot.shape.get<Toolpath>();
     COMPARE_NEAR(figureOf(slot, "uncut_mm2") + Columns(*path, -2).cutArea(), areaOf(chambers(5.99)), 0.2);
     QVERIFY2(warningsOf(slot).find("stay uncut near (") != std::string::npos, warningsOf(slot).c_str());
-    const auto inSlot = [](const Vec3& p) { return p.x() > 33 && p.x() < 67 && p.z() == -2; };
+    const auto inSlot = [](const ToolMark& m) {
+      return m.at.x() > 33 && m.at.x() < 67 && m.at.z() == -2 && m.kind == MarkKind::Unreachable;
+    };
     QVERIFY(std::count_if(path->marks.begin(), path->marks.end(), inSlot) > 20);
     // no word of the round corners of a plain pocket, whose area is told all the same
     const Evaluated plain = made("pocket", {{"tool-diameter", 6}, {"depth", 2}}, {Region{{boxPath(0, 0, 60, 20)}}});
@@ -239,7 +241,9 @@ class PocketUncutTest final : public QObject {
     const std::string rest = fmt::format("The other {:.2f} of {:.2f} mm² lie at 4 places: in corners that it rounds.",
                                          (4 - pi) * 9, figureOf(arm, "uncut_mm2"));
     QVERIFY2(warningsOf(arm).find(rest) != std::string::npos, warningsOf(arm).c_str());
-    const auto inArm = [](const Vec3& p) { return p.x() > 42 && p.y() > 17 && p.y() < 22; };
+    const auto inArm = [](const ToolMark& m) {
+      return m.at.x() > 42 && m.at.y() > 17 && m.at.y() < 22 && m.kind == MarkKind::Unreachable;
+    };
     const Toolpath* path = arm.shape.get<Toolpath>();
     QVERIFY(std::count_if(path->marks.begin(), path->marks.end(), inArm) > 20);
     std::printf("figure arm_uncut_mm2 %.4f\nfigure arm_uncut_off_mm2 %.2g\n", figureOf(arm, "uncut_mm2"),

@@ -44,7 +44,7 @@ Toolpath path() {
   path.task = PocketTask{{1, 1, 0}, 4, 0.1, 0.2};
   path.passes = 2;
   path.gouge = 1e-7;
-  path.marks = {{1, 1, 1}};
+  path.marks = {{{1, 1, 1}, MarkKind::Gouge}, {{2, 1, 1}, MarkKind::Left}};
   return path;
 }
 

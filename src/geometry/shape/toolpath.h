@@ -45,6 +45,17 @@ struct PocketTask {
   friend bool operator==(const PocketTask&, const PocketTask&) = default;
 };
 
+/// What is wrong with a place, or why it is not cut: missed places are within reach of the tool, those left were asked to
+/// be.
+enum class MarkKind { Gouge, Missed, Unreachable, Left };
+
+/// A place that the simulation found.
+struct ToolMark {
+  Vec3 at = Vec3::Zero();
+  MarkKind kind = MarkKind::Missed;
+  friend bool operator==(const ToolMark&, const ToolMark&) = default;
+};
+
 struct Toolpath;
 /// Depth in mm of the deepest gouge into the part when the task of this toolpath is done by other moves: those of a program
 /// as written, with rounded coordinates. @throws Error Cancelled.
@@ -65,8 +76,8 @@ struct Toolpath {
   std::size_t passes = 0;         ///< number of depths
   std::optional<double> gouge;    ///< mm, depth of the deepest gouge into the part, as simulated
   std::optional<double> residue;  ///< mm2 of material within reach of the tool that was left, as simulated
-  std::vector<Vec3> marks;        ///< places of gouge and residue found by the simulation
-  GougeOf gougeOf;                ///< may be empty
+  std::vector<ToolMark> marks;
+  GougeOf gougeOf;  ///< may be empty
 };
 
 /// Start point of move i.

@@ -91,6 +91,19 @@ Color colorOf(MoveKind kind) {
   return {0.16, 0.62, 0.56};
 }
 
+Color colorOf(MarkKind kind) {
+  switch (kind) {
+    case MarkKind::Unreachable:
+      return {0.95, 0.62, 0.10};
+    case MarkKind::Left:
+      return {0.30, 0.55, 0.95};
+    case MarkKind::Gouge:
+    case MarkKind::Missed:
+      break;
+  }
+  return {0.93, 0.18, 0.18};
+}
+
 /// The twelve edges of the stock and the cross of the work's zero. They are no moves, so they have no number.
 void addStock(const Bounds& stock, Tessellation& result) {
   if (stock.empty) return;
@@ -125,7 +138,10 @@ Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progre
     result.vertices.push_back(startOf(path, i));
   }
   addStock(path.stock, result);
-  result.markers = path.marks;
+  for (const ToolMark& mark : path.marks) {
+    result.markers.push_back(mark.at);
+    result.markerColors.push_back(colorOf(mark.kind));
+  }
   return result;
 }
 

@@ -36,6 +36,7 @@ struct Tessellation {
   bool colorsTellKinds = false;          ///< what an edge is: they stay, whatever is selected
   std::vector<Vec3> vertices;            ///< by number; for picking, not drawn
   std::vector<Vec3> markers;             ///< free points
+  std::vector<Color> markerColors;       ///< of each; empty when they have no colours of their own
 };
 
 /// Tessellates any shape within `options.chord`. @throws Error Cancelled, Degenerate.

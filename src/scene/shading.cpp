@@ -147,8 +147,8 @@ void placeHatching(vtkActor& actor, const CutPlane& cut, const HatchLook& look, 
   vtkUniforms& uniforms = *actor.GetShaderProperty()->GetFragmentCustomUniforms();
   Vec3 eye;
   camera.GetPosition(eye.data());
-  // Lines at 45 degrees to the axes of the plane.
-  const Vec3 across = (cut.axis() + cut.normal.cross(cut.axis())).normalized() / look.spacing;
+  const Vec3 x = cut.axis(), y = cut.normal.cross(x);
+  const Vec3 across = (std::sin(look.angle) * x - std::cos(look.angle) * y) / look.spacing;
   setUniform(uniforms, "hatchAcross", turnedToEye(*camera.GetModelViewTransformMatrix(), across), across.dot(eye));
   setUniform(uniforms, "hatchFill", look.fill);
   setUniform(uniforms, "hatchLines", look.lines);

@@ -35,7 +35,8 @@ void shadeSection(vtkActor&);
 
 struct HatchLook {
   Color fill, lines;
-  double spacing = 5;  ///< mm between the lines
+  double spacing = 5;             ///< mm between the lines
+  double angle = 0.785398163397;  ///< of the lines to an axis of the plane
 };
 /// Updates the hatching of a section. Call it before each frame.
 void placeHatching(vtkActor&, const CutPlane&, const HatchLook&, vtkCamera&);

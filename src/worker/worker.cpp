@@ -73,7 +73,8 @@ std::string signalName(int number) {
   const bool byHand = number == SIGKILL || number == SIGTERM || number == SIGINT || number == SIGHUP || number == SIGQUIT;
   throw Error(ErrorCode::WorkerDied, process + (byHand ? " was ended (" : " crashed (") + signalName(number) + ").",
               byHand ? "Someone ended it, or the system did for want of memory. Try again."
-                     : "The rest of Blossom is not affected. The input is probably damaged.");
+                     : "The rest of Blossom is not affected. Either this is more than the library behind it can do, or the "
+                       "input is damaged. Try other values or a simpler shape.");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void SectionToolTest::theHandleFollowsTheMouse() {
   for (const double x : {6.0, 7.5, 2.0}) {
     QVERIFY(tool.move(towards({x, 10, 15}, slanted)));
     COMPARE_NEAR(tool.plane().offset(), x, 1e-9);
-    COMPARE_NEAR(host_->section()->offset, -x, 1e-9);  // still the flipped side
+    COMPARE_NEAR(host_->section()->offset, x, 1e-9);  // still the same side
   }
   tool.move(towards({90, 10, 15}, slanted));
   COMPARE_NEAR(tool.plane().offset(), 10.2, 1e-9);  // not far beyond the model
@@ -127,14 +127,19 @@ void SectionToolTest::stepsOfTheGrid() {
 void SectionToolTest::keysChooseDirectionsAndSides() {
   SectionTool tool(*host_, nullptr);
   QVERIFY(pressKey(tool, Qt::Key_Z));
+  COMPARE_NEAR(host_->section()->normal.z(), 1, 0);  // what is above is cut away, as the home view looks down
+  QVERIFY(pressKey(tool, Qt::Key_F));
   COMPARE_NEAR(host_->section()->offset, -15, 0);
   QVERIFY(pressKey(tool, Qt::Key_F));
   COMPARE_NEAR(host_->section()->offset, 15, 0);
-  COMPARE_NEAR(host_->section()->normal.z(), 1, 0);
   QVERIFY(pressKey(tool, Qt::Key_Up));
   COMPARE_NEAR(host_->section()->offset, 15.3, 1e-12);
   QVERIFY(!pressKey(tool, Qt::Key_Escape));
   QVERIFY(!pressKey(tool, Qt::Key_Q));
+  // Undo and redo are of the window.
+  for (const int key : {Qt::Key_Y, Qt::Key_Z, Qt::Key_F, Qt::Key_P})
+    QVERIFY(!tool.key(QKeyEvent(QEvent::KeyPress, key, Qt::ControlModifier)));
+  COMPARE_NEAR(host_->section()->normal.z(), 1, 0);
   // The model grows: the offset stays.
   host_->put("box", box(10, 20, 60));
   tool.documentChanged();

@@ -37,10 +37,7 @@ class SectionViewTest : public QObject {
     box_ = sceneOf(box());
   }
   void init() {
-    view_ = std::make_unique<ViewWidget>();
-    view_->resize(800, 600);
-    view_->setLook(theme().look());
-    view_->show();
+    view_ = openView();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
     QVERIFY2(view_->problem().isEmpty(), qPrintable(view_->problem()));
     view_->setItems({{"box", box_}});

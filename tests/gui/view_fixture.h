@@ -4,6 +4,8 @@
 
 #include "geometry/shape/brep.h"
 #include "scene/picking.h"
+#include "ui/look/theme.h"
+#include "ui/view/view_widget.h"
 
 /// What views show in their tests.
 namespace blossom::ui {
@@ -19,6 +21,15 @@ inline SceneData sceneOf(const Shape& shape) {
 inline const Brep& box() {
   static const Brep made(BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), 20, 20, 20).Shape());
   return made;
+}
+
+/// A view of 800 x 600 on the screen.
+inline std::unique_ptr<ViewWidget> openView() {
+  auto view = std::make_unique<ViewWidget>();
+  view->resize(800, 600);
+  view->setLook(theme().look());
+  view->show();
+  return view;
 }
 
 }  // namespace blossom::ui

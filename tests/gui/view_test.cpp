@@ -79,10 +79,7 @@ class ViewTest : public QObject {
     ball_ = sceneOf(Brep(BRepPrimAPI_MakeSphere(gp_Pnt(60, 0, 10), 10).Shape()));
   }
   void init() {
-    view_ = std::make_unique<ViewWidget>();
-    view_->resize(800, 600);
-    view_->setLook(theme().look());
-    view_->show();
+    view_ = openView();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
     QVERIFY2(view_->problem().isEmpty(), qPrintable(view_->problem()));
     view_->setItems({{"box", box_}, {"ball", ball_}});

@@ -16,6 +16,8 @@
 
 #include "geometry/shape/brep.h"
 #include "geometry/tessellate/tessellate.h"
+#include "scene/section/deadline.h"
+#include "support/polyhedra.h"
 #include "support/random.h"
 #include "support/support.h"
 
@@ -177,10 +179,53 @@ class CrossSectionTest : public QObject {
   }
 
   void whereThePlaneMissesThereIsNothing() {
-    for (const double offset : {-1.0, 20.0, 21.0}) {
+    for (const double offset : {-1.0, 0.0, 1e-16, 20.0, 20 + 4e-15, 21.0}) {
       const CrossSection section = crossSection(*toSceneData(bodies()[0].mesh).faces, {Vec3::UnitZ(), offset});
       QVERIFY(!section.area && !section.outline);
     }
+  }
+
+  /// A step and an overhang in the plane: where a face lies there, nothing is cut.
+  void facesInThePlaneAreNoSection() {
+    const TopoDS_Shape stepped =
+        BRepAlgoAPI_Cut(boxAt({0, 0, 0}, 20), BRepPrimAPI_MakeBox(gp_Pnt(10, -1, 10), 11, 22, 11).Shape()).Shape();
+    for (const double side : {1.0, -1.0}) {  // seen from above it is a step, from below an overhang
+      const CrossSection section = crossSection(*toSceneData(drawn(stepped)).faces, {side * Vec3::UnitZ(), side * 10});
+      COMPARE_NEAR(areaOfTriangles(trianglesOf(section.area)), 200, 1e-9);
+      QCOMPARE(section.outline->GetNumberOfLines(), vtkIdType{1});
+    }
+    // Turned, no corner lies in the plane but for rounding; nor in the single precision of files.
+    Random random = test::seededRandom();
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Matrix3d turn = test::randomTurn(random);
+      Tessellation turned = drawn(stepped);
+      for (Vec3& p : turned.points) {
+        p = turn * p;
+        if (k % 2 == 0) p = p.cast<float>().cast<double>();
+      }
+      for (const double side : {1.0, -1.0})
+        for (const double height : {0.0, 10.0, 20.0}) {
+          const CutPlane cut{side * turn.col(2), side * height};
+          const double area = areaOfTriangles(trianglesOf(crossSection(*toSceneData(turned).faces, cut).area));
+          COMPARE_NEAR(area, height == 10 ? 200 : 0, 1e-3);
+        }
+    }
+  }
+
+  void deadlinesCancelWhatTakesLong() {
+    { const Deadline unused(std::chrono::hours(1)); }  // is not waited for
+    const Deadline later(std::chrono::hours(1)), soon(std::chrono::milliseconds(1));
+    const Progress progress = soon.progress();
+    QTRY_VERIFY(progress.cancelled());
+    VERIFY_ERROR(progress.check(), ErrorCode::Cancelled);
+    QVERIFY(!later.progress().cancelled());
+  }
+
+  void withoutTimeOnlyTheOutlineIsDrawn() {
+    const CancelToken token;
+    token.cancel();
+    const CrossSection section = crossSection(*toSceneData(bodies()[0].mesh).faces, {Vec3::UnitZ(), 12}, Progress(token));
+    QVERIFY(section.outline && !section.area);
   }
 
   /// Without one of its triangles the box is cut all the same, and the corner of it that is missing is cut off.

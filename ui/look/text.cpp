@@ -55,7 +55,8 @@ const std::vector<std::pair<QString, MeasureUnit>>& unitSuffixes() {
 }
 
 MeasureUnit unitOfStat(const std::string& name) {
-  if (name == "deviation" || qt(name).endsWith(QLatin1String("_place"))) return MeasureUnit::Length;
+  for (const char* length : {"deviation", "_place", "_radius"})
+    if (qt(name).endsWith(QLatin1String(length))) return MeasureUnit::Length;
   for (const auto& [suffix, unit] : unitSuffixes())
     if (qt(name).endsWith(suffix)) return unit;
   return MeasureUnit::None;

@@ -9,7 +9,6 @@ namespace blossom::ui {
 SectionPlane SectionPlane::through(const Bounds& box) {
   SectionPlane plane;
   plane.setAxis(SectionAxis::Y, box);
-  plane.flipped_ = true;
   return plane;
 }
 
@@ -28,6 +27,7 @@ void SectionPlane::setAxis(SectionAxis axis, const Bounds& box) {
   if (axis == SectionAxis::Face) return;
   axis_ = axis;
   direction_ = Vec3::Unit(static_cast<Eigen::Index>(axis));
+  flipped_ = axis == SectionAxis::Y;
   base_ = 0;
   offset_ = box.empty ? 0 : box.center().dot(direction_);
 }

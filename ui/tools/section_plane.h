@@ -11,11 +11,12 @@ enum class SectionAxis { X, Y, Z, Face };
 /// The state of a section as its panel and handle show it: a direction, an offset along it and the side cut away.
 class SectionPlane {
  public:
-  /// Perpendicular to y through the middle, with the front half cut away, so that the standard view looks inside.
+  /// Perpendicular to y through the middle.
   static SectionPlane through(const Bounds&);
   static SectionPlane of(const CutPlane&);
 
-  void setAxis(SectionAxis, const Bounds&);  ///< X, Y or Z, through the middle
+  /// X, Y or Z, through the middle, with the half cut away that is nearer in the home view.
+  void setAxis(SectionAxis, const Bounds&);
   /// Parallel to a face; offsets are measured from it, outwards.
   void setFace(const Vec3& point, const Vec3& normal);
   void flip() { flipped_ = !flipped_; }

@@ -137,6 +137,7 @@ bool SectionTool::release(const ToolEvent&) {
 }
 
 bool SectionTool::key(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;  // shortcuts
   const auto [low, high] = plane_.range(extent_);
   const double step = (high - low) / (event.modifiers().testFlag(Qt::ShiftModifier) ? 10 : 100);
   switch (event.key()) {
@@ -188,7 +189,8 @@ void SectionTool::moveTo(double offset) {
   // Beyond the model there is nothing to cut; a little margin shows that it is through.
   const auto [low, high] = plane_.range(extent_);
   const double margin = 0.02 * (high - low);
-  plane_.setOffset(std::clamp(offset, low - margin, high + margin));
+  const double rounding = 1e-9 * (high - low);  // of steps there and back
+  plane_.setOffset(std::abs(offset) < rounding ? 0 : std::clamp(offset, low - margin, high + margin));
   apply();
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <utility>
 
 namespace blossom {
 
@@ -88,6 +91,15 @@ std::vector<SectionLoop> joined(std::vector<SectionLoop> chains, const std::vect
 }
 
 }  // namespace
+
+void cancelOpposite(std::vector<SectionSide>& sides) {
+  std::map<std::pair<int, int>, int> surplus;  // of sides from the lower place to the higher one
+  for (const SectionSide& side : sides) surplus[std::minmax(side.from, side.to)] += side.from < side.to ? 1 : -1;
+  sides.clear();
+  for (const auto& [ends, count] : surplus)
+    for (int k = 0; k < std::abs(count); ++k)
+      sides.push_back(count > 0 ? SectionSide{ends.first, ends.second} : SectionSide{ends.second, ends.first});
+}
 
 std::vector<SectionLoop> chained(const std::vector<SectionSide>& sides, const std::vector<Vec3>& places) {
   Walk walk(sides, places.size());

@@ -11,6 +11,9 @@ struct SectionSide {
   int from = -1, to = -1;
 };
 
+/// Leaves out sides that another one goes back along. O(n log n)
+void cancelOpposite(std::vector<SectionSide>&);
+
 /// The places along a closed polygon.
 using SectionLoop = std::vector<int>;
 

@@ -5,7 +5,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <chrono>
+
 #include "scene/section/cross_section.h"
+#include "scene/section/deadline.h"
 #include "scene/shading.h"
 
 namespace blossom::ui {
@@ -14,9 +17,18 @@ namespace {
 
 bool isSame(const CutPlane& a, const CutPlane& b) { return a.normal == b.normal && a.offset == b.offset; }
 
-void setData(vtkActor& actor, vtkPolyData* data) {
-  actor.SetVisibility(data != nullptr);
-  if (data) vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
+/// Gives an actor other data. @returns whether it has just come
+bool show(vtkSmartPointer<vtkActor>& actor, const SceneData& data, vtkRenderer& renderer) {
+  vtkPolyData* const drawn = data.faces ? data.faces : data.edges;
+  if (actor) actor->SetVisibility(drawn != nullptr);
+  if (!drawn) return false;
+  if (actor) {
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(drawn);
+    return false;
+  }
+  actor = makeActors(data, Look::dark()).front();
+  renderer.AddActor(actor);
+  return true;
 }
 
 }  // namespace
@@ -25,43 +37,41 @@ bool SectionCap::follow(vtkRenderer& renderer, vtkPolyData& solid, const CutPlan
   if (faces_ == &solid && plane_ && isSame(*plane_, plane)) return false;
   faces_ = &solid;
   plane_ = plane;
-  const CrossSection section = crossSection(solid, plane);
-  const bool isFirst = !area_ && section.area && section.outline;
-  if (isFirst) {
-    SceneData drawn;
-    drawn.faces = section.area;
-    drawn.edges = section.outline;
-    const auto actors = makeActors(drawn, Look::dark());
-    area_ = actors.front();
-    outline_ = actors.back();
-    shadeSection(*area_);
-    renderer.AddActor(area_);
-    renderer.AddActor(outline_);
-  } else if (area_) {
-    setData(*area_, section.area);
-    setData(*outline_, section.outline);
-  }
-  return isFirst;
+  constexpr std::chrono::milliseconds budget(150);  // without filling, the view goes on to follow the hand
+  const Deadline deadline(budget);
+  const CrossSection section = crossSection(solid, plane, deadline.progress());
+  SceneData area, outline;
+  area.faces = section.area;
+  outline.edges = section.outline;
+  const bool areaCame = show(area_, area, renderer), outlineCame = show(outline_, outline, renderer);
+  if (areaCame) shadeSection(*area_);
+  hasArea_ = section.area != nullptr;
+  hasOutline_ = section.outline != nullptr;
+  return areaCame || outlineCame;
 }
 
 bool SectionCap::leave(vtkRenderer& renderer) {
-  const bool had = area_ != nullptr;
-  if (had) {
-    renderer.RemoveActor(area_);
-    renderer.RemoveActor(outline_);
-  }
+  const bool had = area_ || outline_;
+  for (const auto& actor : {area_, outline_})
+    if (actor) renderer.RemoveActor(actor);
   *this = {};
   return had;
 }
 
-void SectionCap::paint(const ItemPaint& paint, double spacing, bool outlined, vtkCamera& camera) const {
-  if (!area_ || !area_->GetVisibility()) return;
+// All sections lie in one plane, and in it the frame that a tool draws: each is a hair in front of the one before.
+void SectionCap::paint(const ItemPaint& paint, const Drawn& drawn, vtkCamera& camera) const {
+  if (hasOutline_) {
+    paintActor(*outline_, paint);
+    outline_->SetVisibility(drawn.outlined);
+  }
+  if (!hasArea_) return;
   paintActor(*area_, paint);
-  paintActor(*outline_, paint);
-  outline_->SetVisibility(outlined);
+  area_->SetVisibility(drawn.filled);
+  area_->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+  area_->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2, -2 - 3 * drawn.share);
   const double* c = area_->GetProperty()->GetColor();
   const Color color{c[0], c[1], c[2]}, fill = mixed(color, paint.look.backgroundBottom, 0.35);
-  placeHatching(*area_, *plane_, {fill, mixed(fill, color, 0.55), spacing}, camera);
+  placeHatching(*area_, *plane_, {fill, mixed(fill, paint.look.edge, 0.3), drawn.spacing, drawn.angle}, camera);
 }
 
 }  // namespace blossom::ui

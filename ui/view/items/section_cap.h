@@ -21,13 +21,19 @@ class SectionCap {
   bool follow(vtkRenderer&, vtkPolyData& solid, const CutPlane&);
   bool leave(vtkRenderer&);  ///< removes the section. @returns whether there was one
 
-  /// @param spacing mm between the lines of the hatching
-  void paint(const ItemPaint&, double spacing, bool outlined, vtkCamera&) const;
+  struct Drawn {
+    double spacing = 5;  ///< mm between the lines of the hatching
+    double share = 1;    ///< 0 to 1: where sections overlap, the larger one is seen
+    double angle = 0;    ///< of the lines
+    bool filled = true, outlined = true;
+  };
+  void paint(const ItemPaint&, const Drawn&, vtkCamera&) const;
 
  private:
   vtkSmartPointer<vtkPolyData> faces_;  // of the solid that was cut last
   std::optional<CutPlane> plane_;
-  vtkSmartPointer<vtkActor> area_, outline_;
+  vtkSmartPointer<vtkActor> area_, outline_;  // null before there is anything to be drawn
+  bool hasArea_ = false, hasOutline_ = false;
 };
 
 }  // namespace blossom::ui

@@ -328,17 +328,32 @@ void ViewItems::applyCulling(const Shown& shown) const {
 }
 
 bool ViewItems::followSection(vtkCamera& camera, double millimetresPerPixel) {
-  const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
   bool changed = false;
   for (auto& [id, shown] : shown_) {
-    if (!shown.coming.empty()) continue;  // what is replaced stays, with its section, until the new shape is whole
-    if (section_ && mode_ != DisplayMode::Wireframe && !shown.replaced && isFilled(shown.scene, shown.presence))
+    const bool isCut = section_ && !shown.replaced && isFilled(shown.scene, shown.presence);
+    if (isCut && !shown.coming.empty()) continue;  // what is replaced stays, with its section, until the new shape is whole
+    if (isCut)
       changed = shown.cap.follow(*renderer_, *drawnData(shown.scene, shown.study.get()).faces, *section_) || changed;
     else
       changed = shown.cap.leave(*renderer_) || changed;
-    shown.cap.paint(paintOf(id, shown), spacing, showsEdges(), camera);
   }
+  if (section_) paintCaps(camera, millimetresPerPixel);
   return changed;
+}
+
+// Where bodies overlap, what is being made is seen. Each has hatching of its own direction, as in a drawing.
+void ViewItems::paintCaps(vtkCamera& camera, double millimetresPerPixel) const {
+  SectionCap::Drawn drawn;
+  drawn.spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
+  drawn.filled = mode_ != DisplayMode::Wireframe;
+  drawn.outlined = showsEdges();
+  const auto count = static_cast<double>(shown_.size());
+  int number = 0;
+  for (const auto& [id, shown] : shown_) {
+    drawn.share = ((shown.role == ItemRole::Made ? count : 0) + ++number) / (2 * count);
+    drawn.angle = (number % 2 == 1 ? 0.25 : 0.75) * M_PI + (number / 3 % 2 == 1 ? M_PI / 8 : 0);
+    shown.cap.paint(paintOf(id, shown), drawn, camera);
+  }
 }
 
 vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }

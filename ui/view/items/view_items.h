@@ -110,6 +110,7 @@ class ViewItems {
   void paint(const FeatureId&, const Shown&) const;
   [[nodiscard]] ItemPaint paintOf(const FeatureId&, const Shown&) const;
   [[nodiscard]] bool showsEdges() const;
+  void paintCaps(vtkCamera&, double millimetresPerPixel) const;
   [[nodiscard]] bool isReplaced(const FeatureId&) const;
   void markReplaced();
   void applyMode(const Shown&) const;

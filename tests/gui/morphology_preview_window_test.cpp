@@ -1,6 +1,7 @@
 #include "document/evaluation/quick_preview.h"
 #include "support/polyhedra.h"
 #include "ui/controls/ratio_slider.h"
+#include "ui/panel/result_rows.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
@@ -20,7 +21,9 @@ class MorphologyPreviewWindowTest : public WindowFixture {
   void aHandThatComesToRestSoonSeesWhereItIs();
   void aSliderThatIsLetGoInAHurryShowsWhereItIs();
   void theOutlineUnderASlowSumIsPreviewed();
+  void theTableIsOfWhatIsSelected();
   void whatIsMadeOfAPreviewDoesNotHoldUpTheWhole();
+  void whatIsNotComputedIsNotExported();
 
  private:
   /// A result of `watched_` as it came: how it was made, and its volume.
@@ -30,6 +33,14 @@ class MorphologyPreviewWindowTest : public WindowFixture {
   };
 
   FeatureId slowMorph();
+  /// As when a slider is let go in a hurry.
+  void commitCoarselyFirst(const FeatureId& morph, double t) {
+    Session& session = window_->session();
+    Feature feature = session.document().at(morph);
+    feature.parameters["t"] = t;
+    const Document document = session.document().with(feature);
+    session.commit(document, QStringLiteral("Change t"), quickPreview(document, *session.app().registry, morph)->document);
+  }
   void watch(const FeatureId& id);
   [[nodiscard]] std::string way() const { return seen_.empty() ? std::string() : seen_.back().way; }
   void verifyPreviewOfTheLast();
@@ -138,6 +149,46 @@ void MorphologyPreviewWindowTest::theOutlineUnderASlowSumIsPreviewed() {
   COMPARE_NEAR(window_->session().document().at(outline).parameters.at("outer").get<double>(), 32,
                3 * window_->view().camera().millimetresPerPixel());
   QCOMPARE(way(), std::string("arranged"));
+  // Without the sum, what is left is quick again.
+  Session& session = window_->session();
+  session.undo();
+  session.undo();
+  QVERIFY(!session.document().contains(sum));
+  waitUntilComputed();
+  moveTo({22, 0, 0});
+  mouse(QEvent::MouseButtonPress, screenOf({22, 0, 0}));
+  QSignalSpy previews(&session, &Session::documentChanged);
+  for (int k = 1; k <= 60; ++k) {
+    mouse(QEvent::MouseMove, screenOf({22 + 0.1 * k, 0, 0}), Qt::ControlModifier);
+    QTest::qWait(20);
+  }
+  QVERIFY2(previews.count() > 10, qPrintable(QString::number(previews.count())));
+  mouse(QEvent::MouseButtonRelease, screenOf({28, 0, 0}), Qt::ControlModifier);
+}
+
+/// The table of results follows the selection, whatever is previewed.
+void MorphologyPreviewWindowTest::theTableIsOfWhatIsSelected() {
+  const FeatureId morph = slowMorph();
+  const FeatureId first = add("modeling.box", Value::object());
+  const FeatureId second = add("modeling.box", {{"position", {0, 50, 0}}});
+  const FeatureId sequence = add("morphology.solid-morph", {{"frames", 6}}, {first, second});
+  waitUntilComputed();
+  window_->tree().selectThese({morph});
+  watch(morph);
+  commitCoarselyFirst(morph, 0.9);
+  QTRY_VERIFY_WITH_TIMEOUT(way() == "field", 30000);
+  window_->tree().selectThese({sequence});
+  const auto told = [&] {
+    QStringList names;
+    for (const ResultRows* rows : window_->properties().findChildren<ResultRows*>())
+      for (const ResultRow& row : rows->rows()) names << row.name;
+    return names;
+  };
+  QTRY_VERIFY2(told().contains(QStringLiteral("Frames")), qPrintable(told().join(u' ')));
+  QVERIFY(!told().contains(QStringLiteral("Volume")));
+  waitUntilComputed();
+  window_->tree().selectThese({morph});
+  QTRY_VERIFY(told().contains(QStringLiteral("Volume")));
 }
 
 /// A subdivided grid mesh takes longer than the subdivided result, and nobody wants to see it.
@@ -150,15 +201,11 @@ void MorphologyPreviewWindowTest::whatIsMadeOfAPreviewDoesNotHoldUpTheWhole() {
   connect(&session, &Session::viewsChanged, window_.get(), [&](const std::set<FeatureId>& changed) {
     if (changed.contains(smooth)) waysWhenSmoothed.push_back(way());
   });
-  const auto commitAt = [&](double t) {
-    Feature feature = session.document().at(morph);
-    feature.parameters["t"] = t;
-    const Document document = session.document().with(feature);
-    session.commit(document, QStringLiteral("Change t"), quickPreview(document, *session.app().registry, morph)->document);
-  };
-  commitAt(0.9);
+  commitCoarselyFirst(morph, 0.9);
   // Once the preview is there, it is seen like a result until the exact one comes, and only then.
   QTRY_VERIFY_WITH_TIMEOUT(way() == "field" && session.awaited(morph), 30000);
+  QVERIFY(session.standsIn(morph));
+  session.commit(session.document().with(Feature(session.document().at(morph))), QStringLiteral("Same again"));
   QVERIFY(session.standsIn(morph));
   waitUntilComputed();
   QVERIFY(!session.standsIn(morph));
@@ -169,7 +216,7 @@ void MorphologyPreviewWindowTest::whatIsMadeOfAPreviewDoesNotHoldUpTheWhole() {
   QVERIFY(!session.coarse());
   // Cancelled while only the preview is there: it does not pass for the result.
   seen_.clear();
-  commitAt(0.2);
+  commitCoarselyFirst(morph, 0.2);
   QTRY_VERIFY_WITH_TIMEOUT(way() == "field", 30000);
   session.cancelEvaluation();
   QVERIFY(session.cancelled(morph) && session.cancelled(smooth));
@@ -177,6 +224,30 @@ void MorphologyPreviewWindowTest::whatIsMadeOfAPreviewDoesNotHoldUpTheWhole() {
   waitUntilComputed();
   QCOMPARE(way(), std::string("arranged"));
   QVERIFY(!session.cancelled(morph) && !session.coarse());
+}
+
+void MorphologyPreviewWindowTest::whatIsNotComputedIsNotExported() {
+  const FeatureId morph = slowMorph();
+  waitUntilComputed();
+  Session& session = window_->session();
+  watch(morph);
+  const QString file = folder_.filePath(QStringLiteral("morph.off"));
+  QSignalSpy refused(&session, &Session::failed);
+  const auto isRefused = [&] {
+    session.exportFeature(morph, file.toStdString(), Value::object());
+    return refused.count() == 1 && !refused.takeFirst().isEmpty() && !session.job().running() && !QFile::exists(file);
+  };
+  commitCoarselyFirst(morph, 0.9);
+  QVERIFY(isRefused());  // what is seen is of the place before
+  QTRY_VERIFY_WITH_TIMEOUT(way() == "field", 30000);
+  QVERIFY(isRefused());
+  session.cancelEvaluation();
+  QVERIFY(isRefused());
+  session.compute();
+  waitUntilComputed();
+  session.exportFeature(morph, file.toStdString(), Value::object());
+  QTRY_VERIFY_WITH_TIMEOUT(!session.job().running() && QFile::exists(file), 30000);
+  QCOMPARE(refused.count(), 0);
 }
 
 BLOSSOM_WINDOW_TEST(MorphologyPreviewWindowTest)

@@ -128,6 +128,18 @@ void PanelDraggingTest::ratiosAreDragged() {
   QTest::keyClick(slider, Qt::Key_Escape);
   QTest::mouseRelease(slider, Qt::LeftButton, {}, at(0.8));
   QCOMPARE(now("ratio"), Value(0.25));
+  // Undo leaves the drag; what was done before it stays.
+  QTest::mousePress(slider, Qt::LeftButton, {}, at(0.3));
+  test::moveMouse(slider, at(0.8));
+  QTRY_VERIFY(now("ratio").get<double>() > 0.7);
+  QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+  QApplication::sendEvent(slider, &undo);
+  QVERIFY(undo.isAccepted());
+  QTRY_COMPARE(now("ratio"), Value(0.25));
+  test::moveMouse(slider, at(0.9));
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, at(0.9));
+  QCOMPARE(now("ratio"), Value(0.25));
+  QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Begin"));
   // A click is for typing: the number stays until another one is there.
   const std::string before = toJson(session_->document());
   QTest::mouseClick(slider, Qt::LeftButton, {}, at(0.8));

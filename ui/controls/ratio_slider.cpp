@@ -148,6 +148,12 @@ void RatioSlider::mouseDoubleClickEvent(QMouseEvent*) {
 // A line that is read-only claims no keys of its own: what it answers would go to the shortcuts of the view.
 bool RatioSlider::event(QEvent* event) {
   if (wheelTimer_ != 0 && asksForUndo(*event)) endSteps();  // what the wheel did is what undo takes back
+  if (dragging_ && moved_ && asksForUndo(*event)) {         // to undo what is not done yet is to leave it
+    dragging_ = false;
+    emit takenBack();
+    event->accept();
+    return true;
+  }
   if (belongsToTheWindow(*event, *this)) {
     event->ignore();
     return true;

@@ -19,6 +19,7 @@ class RatioSlider : public QLineEdit {
  signals:
   void dragged(double value);
   void chosen(double value);
+  void takenBack();  ///< undo was asked for while it was dragged
   void typed(const QString& text);
 
  protected:

@@ -62,6 +62,7 @@ RatioField::RatioField(const ParameterSpec& given, const Context& context, QWidg
   setEditor(slider_);
   connect(slider_, &RatioSlider::dragged, this, [this](double t) { offer(t, true); });
   connect(slider_, &RatioSlider::chosen, this, [this](double t) { offer(t); });
+  connect(slider_, &RatioSlider::takenBack, this, &RatioField::revert);
   connect(slider_, &RatioSlider::typed, this, [this](const QString& text) { offerText(text); });
 }
 

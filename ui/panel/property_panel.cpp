@@ -64,6 +64,9 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   connect(&session, &Session::evaluationStarted, this, [this] {
     if (result_->showsCancelled()) refreshResult();
   });
+  connect(&session, &Session::evaluationFinished, this, [this] {
+    if (heldBack_ && !session_.coarse()) refreshResult();
+  });
   connect(&session, &Session::evaluationOverdue, this, &PropertyPanel::refreshResult);
   connect(&session, &Session::evaluationCancelled, this, &PropertyPanel::refreshResult);
   connect(&picking_, &PanelPicking::begun, this, [this](const PickRequest& request) {
@@ -341,11 +344,14 @@ void PropertyPanel::refreshResult() {
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
   const auto view = session_.view(shown_);
+  const bool isKnown = std::exchange(told_, shown_) == shown_;
+  const bool isHeldBack = session_.coarse() && isKnown;
+  heldBack_ = isHeldBack;
   // The few frames that follow a drag stand for the whole sequence.
-  const bool standIn = session_.coarse() && view && view->result->evaluated.shape.kind() == ShapeKind::Sequence;
+  const bool standIn = isHeldBack && view && view->result->evaluated.shape.kind() == ShapeKind::Sequence;
   if (!standIn) result_->show(view.get(), besides, session_.outdated(shown_));
   showFault();
-  if (session_.coarse()) return;  // what is told of a preview must not push away the slider that is dragged
+  if (isHeldBack) return;  // what is told of a preview must not push away the slider that is dragged
   showNotice(view && !view->result->error ? view->result->evaluated.warnings : std::vector<std::string>());
 }
 

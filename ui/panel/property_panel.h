@@ -112,6 +112,8 @@ class PropertyPanel : public QScrollArea {
   QVBoxLayout* column_ = nullptr;  // of the form
   QWidget* resultTitle_ = nullptr;
   ResultTable* result_;
+  FeatureId told_;         // whose result is in it
+  bool heldBack_ = false;  // something of the result was not told during a preview
 
   ParameterField* previewed_ = nullptr;               // the field that is dragged
   std::optional<Value> waiting_;                      // its newest value, not yet sent off

@@ -25,6 +25,13 @@ constexpr int tellingMs = 50;  // between refreshes while results arrive; the la
 
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
+/// Features may have been made anew.
+bool haveSameContents(const Document& a, const Document& b) {
+  return std::ranges::equal(a.features(), b.features(), [](const auto& x, const auto& y) {
+    return x == y || (x->id == y->id && x->type == y->type && x->inputs == y->inputs && x->parameters == y->parameters);
+  });
+}
+
 /// What the user chooses is taken into the document at once; whatever else a document names was named by somebody.
 Document guarded(Document document, const std::filesystem::path& file) {
   if (document.access()) return document;
@@ -73,9 +80,12 @@ void Session::commit(Document document, const QString& what, std::optional<Docum
   if (!document.access()) document = document.withAccess(history_.committed().access());
   document = withAppearances(std::move(document), history_.committed(), *app_.registry,
                              [this](const FeatureId& id) { return shape(id); });
+  // What stood in for the same document goes on to.
+  std::set<FeatureId> standIns;
+  if (haveSameContents(this->document(), document)) standIns = coarser_ ? arrived_ : standIns_;
   history_.commit(std::move(document), what.toStdString());
   keep(what);
-  changed(std::move(coarser));
+  changed(std::move(coarser), std::move(standIns));
   tellWithheld();
 }
 
@@ -281,6 +291,8 @@ bool Session::awaited(const FeatureId& id) const {
   const bool due = evaluating_ && document().contains(id) && !arrived_.contains(id);
   return due && (!patience_.isActive() || late_.contains(id));
 }
+
+bool Session::isComputed(const FeatureId& id) const { return arrived_.contains(id) && !coarser_; }
 
 /// What is waited for already stays so when an edit begins the evaluation anew, or one that was cancelled goes on.
 void Session::keepWaiting() {

@@ -47,6 +47,8 @@ class Session : public QObject {
   [[nodiscard]] bool coarse() const { return coarse_; }
   /// Its result is being computed, and that takes more than a moment.
   [[nodiscard]] bool awaited(const FeatureId&) const;
+  /// Its result is that of this document, whole.
+  [[nodiscard]] bool isComputed(const FeatureId&) const;
   /// What is shown of it is that of an older document: it is awaited, or computing was cancelled before it.
   [[nodiscard]] bool outdated(const FeatureId&) const;
   /// What is shown of it is a coarse result of this document, until its own comes.

@@ -156,6 +156,13 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
   std::vector<NamedShape> shapes;
   auto warnings = std::make_shared<QStringList>();
   for (const FeatureId& id : ids) {
+    if (!isComputed(id)) {
+      emit failed(Error(ErrorCode::InvalidInput,
+                        document().at(id).name + " is not computed yet: what is shown is an older or coarser shape.",
+                        "Wait until it is, or let it be computed again, and export it then."),
+                  {});
+      return;
+    }
     const auto shown = view(id);
     if (!shown || shown->result->evaluated.shape.empty()) continue;
     shapes.push_back({document().at(id).name, shown->result->evaluated.shape});

@@ -128,7 +128,11 @@ bool HandleTool::loaded() {
 void HandleTool::preview(Document document, const DragDetail::Coarser& coarser) {
   previewing_ = true;
   const auto quick = coarser ? std::nullopt : quickPreview(document, host().registry(), feature_);
-  if (!quick) return detail_.show(std::move(document), coarser);
+  if (!quick) {
+    if (!watched_.empty()) detail_.setBudget(DragDetail::frameBudget);
+    watched_.clear();
+    return detail_.show(std::move(document), coarser);
+  }
   if (watched_.empty()) detail_.setBudget(previewPatience);
   watched_ = quick->last;
   detail_.show(std::move(document), [this](const Document& whole) {

@@ -99,6 +99,15 @@ int coverOf(const std::vector<Corners>& section, const Vec3& p, const Vec3& norm
   return cover;
 }
 
+/// Whether a triangle in the plane covers a point of it: a face is seen there, whatever lies behind it.
+bool isOnFace(const std::vector<Corners>& mesh, const Vec3& p, const CutPlane& cut) {
+  std::vector<Corners> inPlane;
+  for (const Corners& corners : mesh)
+    if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& q) { return std::abs(cut.height(q)) < 1e-6; }))
+      inPlane.push_back(corners);
+  return coverOf(inPlane, p, cut.normal) > 0;
+}
+
 struct Body {
   const char* name;
   Tessellation mesh;
@@ -148,7 +157,7 @@ class CrossSectionTest : public QObject {
         for (int k = 0; k < 40; ++k) {
           Vec3 p = centre + 8 * Vec3(normal(random), normal(random), normal(random));
           p -= cut.height(p) * direction;
-          if (distanceToOutline(section.outline, p) < 1e-4) continue;
+          if (distanceToOutline(section.outline, p) < 1e-4 || isOnFace(mesh, p, cut)) continue;
           const long winding = std::lround(windingOf(mesh, p - 1e-5 * direction));
           if (winding != std::lround(windingOf(mesh, p + 1e-5 * direction))) continue;  // on a face in the plane
           const bool isInside = winding != 0;

@@ -3720,6 +3720,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>Rückgängig: %1</translation>
     </message>
     <message>
+        <source>The file is written as soon as all of it is computed.</source>
+        <translation>Die Datei wird geschrieben, sobald alles berechnet ist.</translation>
+    </message>
+    <message>
         <source>Computing was cancelled; what was ready is shown.</source>
         <translation>Das Berechnen wurde abgebrochen; was fertig war, ist zu sehen.</translation>
     </message>

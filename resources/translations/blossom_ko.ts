@@ -3720,6 +3720,10 @@ Drag sideways to change it.</source>
         <translation>실행 취소: %1</translation>
     </message>
     <message>
+        <source>The file is written as soon as all of it is computed.</source>
+        <translation>모두 계산되는 대로 파일을 씁니다.</translation>
+    </message>
+    <message>
         <source>Computing was cancelled; what was ready is shown.</source>
         <translation>계산을 취소했습니다. 끝난 것까지 보입니다.</translation>
     </message>

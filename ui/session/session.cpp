@@ -292,7 +292,10 @@ bool Session::awaited(const FeatureId& id) const {
   return due && (!patience_.isActive() || late_.contains(id));
 }
 
-bool Session::isComputed(const FeatureId& id) const { return arrived_.contains(id) && !coarser_; }
+bool Session::isComputed(const FeatureId& id) const {
+  const bool isMissing = (evaluating_ || cut_) && !arrived_.contains(id);
+  return document().contains(id) && !isMissing && !coarser_;
+}
 
 /// What is waited for already stays so when an edit begins the evaluation anew, or one that was cancelled goes on.
 void Session::keepWaiting() {

@@ -153,16 +153,23 @@ void Session::recover(const LostDocument& lost) {
 bool Session::changedOnDisk() const { return !file_.empty() && FileStamp::of(file_) != stamp_; }
 
 void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::filesystem::path& file, const Value& options) {
+  const auto missing = std::find_if(ids.begin(), ids.end(), [this](const FeatureId& id) { return !isComputed(id); });
+  if (missing != ids.end() && evaluating_) {
+    emit noted(tr("The file is written as soon as all of it is computed."));
+    connect(
+        this, &Session::evaluationFinished, this, [this, ids, file, options] { exportFeatures(ids, file, options); },
+        Qt::SingleShotConnection);
+    return;
+  }
+  if (missing != ids.end()) {
+    emit failed(Error(ErrorCode::InvalidInput, "Nothing is exported: what is shown is not what the document says now.",
+                      "Let it be computed, and export it then."),
+                {});
+    return;
+  }
   std::vector<NamedShape> shapes;
   auto warnings = std::make_shared<QStringList>();
   for (const FeatureId& id : ids) {
-    if (!isComputed(id)) {
-      emit failed(Error(ErrorCode::InvalidInput,
-                        document().at(id).name + " is not computed yet: what is shown is an older or coarser shape.",
-                        "Wait until it is, or let it be computed again, and export it then."),
-                  {});
-      return;
-    }
     const auto shown = view(id);
     if (!shown || shown->result->evaluated.shape.empty()) continue;
     shapes.push_back({document().at(id).name, shown->result->evaluated.shape});

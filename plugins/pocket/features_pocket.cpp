@@ -203,8 +203,8 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
   const double floor = -p.depth + p.leaveFloor;
   const Uncut uncut = uncutOf(part.region, path, {.floor = floor, .tolerance = 2 * p.tolerance}, progress.part(0.85, 0.95));
   const CoverageOptions measured{p.toolDiameter / 2, p.leaveWall, checkOf(p).tolerance};
-  reportCoverage(coverageOf(part.region, uncut, simulated, measured, progress.part(0.95, 1)), out);
-  reportUncut(uncut, part.region, measured, floor, path, out, progress);
+  reportCoverage(coverageOf(part.region, uncut, simulated, measured, progress.part(0.95, 0.98)), out);
+  reportUncut(uncut, part.region, measured, floor, path, out, progress.part(0.98, 1));
   path.stock = stockOf(p, part.region, heights);
   path.workOffset = fmt::format("G{}", 54 + static_cast<int>(p.workOffset));
   out.stats["depths"] = made.depths;

@@ -90,7 +90,7 @@ void Session::commit(Document document, const QString& what, std::optional<Docum
 }
 
 void Session::preview(Document document, std::optional<Document> coarser) {
-  const bool isSame = std::ranges::equal(document.features(), this->document().features());
+  const bool isSame = haveSameContents(document, this->document());
   std::set<FeatureId> standIns = isSame && coarser_ ? arrived_ : std::set<FeatureId>();
   history_.preview(std::move(document));
   changed(std::move(coarser), std::move(standIns));

@@ -341,7 +341,7 @@ bool ViewItems::followSection(vtkCamera& camera, double millimetresPerPixel) {
   return changed;
 }
 
-// Where bodies overlap, what is being made is seen. Each has hatching of its own direction, as in a drawing.
+// Where bodies overlap, what is being made is seen. Hatching has one of four directions, as that of neighbours in a drawing.
 void ViewItems::paintCaps(vtkCamera& camera, double millimetresPerPixel) const {
   SectionCap::Drawn drawn;
   drawn.spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
@@ -350,8 +350,9 @@ void ViewItems::paintCaps(vtkCamera& camera, double millimetresPerPixel) const {
   const auto count = static_cast<double>(shown_.size());
   int number = 0;
   for (const auto& [id, shown] : shown_) {
-    drawn.share = ((shown.role == ItemRole::Made ? count : 0) + ++number) / (2 * count);
-    drawn.angle = (number % 2 == 1 ? 0.25 : 0.75) * M_PI + (number / 3 % 2 == 1 ? M_PI / 8 : 0);
+    drawn.share = ((shown.role == ItemRole::Made ? count : 0) + number + 1) / (2 * count);
+    drawn.angle = (0.25 + 0.5 * (number % 2) + 0.125 * (number / 2 % 2)) * M_PI;
+    ++number;
     shown.cap.paint(paintOf(id, shown), drawn, camera);
   }
 }

@@ -44,6 +44,11 @@ class MorphologyPreviewWindowTest : public WindowFixture {
   void watch(const FeatureId& id);
   [[nodiscard]] std::string way() const { return seen_.empty() ? std::string() : seen_.back().way; }
   void verifyPreviewOfTheLast();
+  [[nodiscard]] bool isPale(const FeatureId& id) const {
+    const std::vector<ViewItem> items = window_->page().shownItems();
+    return std::any_of(items.begin(), items.end(),
+                       [&](const ViewItem& item) { return item.id == id && item.presence == Presence::Outdated; });
+  }
   void slideTo(RatioSlider& slider, double share) {
     mouseIn(&slider, QEvent::MouseMove, QPointF(share * slider.width(), slider.height() / 2.0));
   }
@@ -95,6 +100,11 @@ void MorphologyPreviewWindowTest::aSlowMorphIsPreviewedByItsSlider() {
   const FeatureId morph = slowMorph();
   RatioSlider& slider = sliderOnceSlow(morph);
   QCOMPARE(way(), std::string("field"));  // seen while the slider moves
+  for (int k = 1; k <= 60; ++k) {
+    slideTo(slider, 0.3 + 0.005 * k);
+    QTest::qWait(30);
+    QVERIFY(!isPale(morph));
+  }
   slideTo(slider, 0.45);
   verifyPreviewOfTheLast();  // the hand rests
   mouseIn(&slider, QEvent::MouseButtonRelease, QPointF(0.45 * slider.width(), slider.height() / 2.0));

@@ -308,7 +308,8 @@ void Session::keepWaiting() {
 
 bool Session::outdated(const FeatureId& id) const { return views_.contains(id) && (awaited(id) || cancelled(id)); }
 
-bool Session::standsIn(const FeatureId& id) const { return standIns_.contains(id) && awaited(id); }
+// A shape that follows the hand is a moment behind it all the time: it does not turn pale for that.
+bool Session::standsIn(const FeatureId& id) const { return awaited(id) && (coarser_ || standIns_.contains(id)); }
 
 void Session::compute() { evaluate(); }
 

@@ -51,7 +51,8 @@ class Session : public QObject {
   [[nodiscard]] bool isComputed(const FeatureId&) const;
   /// What is shown of it is that of an older document: it is awaited, or computing was cancelled before it.
   [[nodiscard]] bool outdated(const FeatureId&) const;
-  /// What is shown of it is a coarse result of this document, until its own comes.
+  /// What is shown of it is a coarse result of this document until its own comes, or of the one before while a coarse one is
+  /// made.
   [[nodiscard]] bool standsIn(const FeatureId&) const;
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool modified() const { return history_.modified(); }

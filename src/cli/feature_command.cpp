@@ -6,6 +6,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "cli/axis_json.h"
 #include "cli/command_line.h"
 #include "cli/flag_inputs.h"
 #include "cli/input.h"
@@ -62,10 +63,13 @@ class FeatureCommand {
     CommandLine::addDocumentFlags(*app_, invocation_);
   }
 
-  /// Where every input is a single one of its own kind, those after the first can also be given by name: --part FILE.
+  [[nodiscard]] bool takesSingleInputs() const {
+    return std::all_of(type_->inputs.begin(), type_->inputs.end(), [](const InputSpec& spec) { return spec.maximum == 1; });
+  }
+
+  /// Where every input is a single one, those after the first can also be given by name: --part FILE.
   void declareNamedInputs() {
-    for (const InputSpec& spec : type_->inputs)
-      if (spec.minimum != 1 || spec.maximum != 1) return;
+    if (!takesSingleInputs()) return;
     for (std::size_t i = 1; i < type_->inputs.size(); ++i) {
       const InputSpec& spec = type_->inputs[i];
       const auto namesake = [&](const ParameterSpec& parameter) { return parameter.name == spec.name; };
@@ -81,6 +85,11 @@ class FeatureCommand {
     for (const auto& [index, input] : named_)
       if (!input.empty())
         inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(std::min(index, inputs_.size())), input);
+  }
+
+  [[nodiscard]] std::size_t namedInputs() const {
+    return static_cast<std::size_t>(
+        std::count_if(named_.begin(), named_.end(), [](const auto& each) { return !each.second.empty(); }));
   }
 
   /// A feature without inputs that needs one file (import) accepts it as a positional argument.
@@ -105,14 +114,17 @@ class FeatureCommand {
       maximum = spec.maximum == anyNumber || maximum == anyNumber ? anyNumber : maximum + spec.maximum;
       wanted += (wanted.empty() ? "" : ", ") + spec.name;
     }
-    if (given >= minimum && given <= maximum) return;
+    // Beside what flags make, inputs that may be left out are told by name.
+    const bool isTwice = !made_->features().empty() && given - namedInputs() > minimum;
+    if (given >= minimum && given <= maximum && !isTwice) return;
     const std::string number = minimum == maximum     ? std::to_string(minimum)
                                : maximum == anyNumber ? fmt::format("at least {}", minimum)
                                                       : fmt::format("{} to {}", minimum, maximum);
-    throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
-                                 number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
-                     given > maximum ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
-                     ErrorCode::InvalidInput);
+    throw UsageError(
+        fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number, number == "1" ? "" : "s", wanted,
+                    given, given == 1 ? "is" : "are"),
+        given > maximum || isTwice ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
+        ErrorCode::InvalidInput);
   }
 
   [[nodiscard]] std::string hintForTooMany() const {
@@ -167,9 +179,7 @@ class FeatureCommand {
   [[nodiscard]] Value importedWith(std::size_t place) const {
     for (const auto& [before, made] : made_->features())
       if (before <= place) ++place;
-    const auto single = [](const InputSpec& spec) { return spec.minimum == 1 && spec.maximum == 1; };
-    if (place >= type_->inputs.size() || !std::all_of(type_->inputs.begin(), type_->inputs.end(), single))
-      return Value::object();
+    if (place >= type_->inputs.size() || !takesSingleInputs()) return Value::object();
     return type_->inputs[place].importedWith;
   }
 
@@ -228,19 +238,21 @@ class FeatureCommand {
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);
     stats["total_ms"] = invocation_.elapsedMs();
-    report(planned, measures, stats, warnings);
+    report(result->evaluated.shape, planned, measures, stats, warnings);
     return 0;
   }
 
-  void report(const std::vector<Output>& planned, const Measures& measures, const Value& stats,
+  void report(const Shape& shape, const std::vector<Output>& planned, const Measures& measures, const Value& stats,
               const std::vector<std::string>& warnings) const {
     std::ostream& out = invocation_.terminal.out;
     if (invocation_.json) {
-      printJson(out, {{"feature", type_->id},
-                      {"outputs", pathsJson(planned)},
-                      {"result", resultJson(measures)},
-                      {"stats", stats},
-                      {"warnings", warnings}});
+      Value json{{"feature", type_->id},
+                 {"outputs", pathsJson(planned)},
+                 {"result", resultJson(measures)},
+                 {"stats", stats},
+                 {"warnings", warnings}};
+      if (const auto* axis = shape.get<MedialAxis>()) json["result"]["axis"] = axisJson(*axis);
+      printJson(out, json);
       return;
     }
     out << type_->title << '\n';

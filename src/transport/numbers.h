@@ -3,10 +3,11 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "geometry/values/box.h"
 #include "geometry/values/color.h"
 #include "parameter/value.h"
 
-/// Vectors and colours as JSON, every number exact.
+/// Vectors, boxes and colours as JSON, every number exact.
 namespace blossom {
 
 template <class Vector>
@@ -45,6 +46,18 @@ inline Value colorValue(const std::optional<Color>& color) {
 inline std::optional<Color> toColor(const Value& value) {
   if (value.is_null()) return {};
   return Color{value.at(0), value.at(1), value.at(2)};
+}
+
+inline Value boundsValue(const Bounds& box) {
+  return box.empty ? Value() : Value::array({vectorValue(box.low), vectorValue(box.high)});
+}
+
+inline Bounds toBounds(const Value& v) {
+  Bounds box;
+  if (v.is_null()) return box;
+  box.add(toVector<Vec3>(v.at(0)));
+  box.add(toVector<Vec3>(v.at(1)));
+  return box;
 }
 
 }  // namespace blossom

@@ -15,18 +15,6 @@ Value cutterValue(const Cutter& c) { return Value::array({c.diameter, c.cornerRa
 
 Cutter toCutter(const Value& v) { return {v.at(0), v.at(1), v.at(2), v.at(3), v.at(4)}; }
 
-Value boundsValue(const Bounds& box) {
-  return box.empty ? Value() : Value::array({vectorValue(box.low), vectorValue(box.high)});
-}
-
-Bounds toBounds(const Value& v) {
-  Bounds box;
-  if (v.is_null()) return box;
-  box.add(toVector<Vec3>(v.at(0)));
-  box.add(toVector<Vec3>(v.at(1)));
-  return box;
-}
-
 Value taskValue(const std::optional<PocketTask>& task) {
   return task ? Value::array({vectorValue(task->zero), task->depth, task->leaveWall, task->leaveFloor}) : Value();
 }
@@ -91,7 +79,10 @@ Value saveMedialAxis(const MedialAxis& axis, const fs::path& folder, const std::
   writeArray(stream, axis.vertices);
   for (const MedialEdge& edge : axis.edges) ends.insert(ends.end(), {edge.from, edge.to});
   writeArray(stream, ends);
-  for (const MedialEdge& edge : axis.edges) writeArray(stream, edge.points);
+  for (const MedialEdge& edge : axis.edges) {
+    writeArray(stream, edge.points);
+    writeArray(stream, edge.feet);
+  }
   finishBulkFile(stream, file);
   return {{"file", file.filename().string()}};
 }
@@ -101,7 +92,11 @@ MedialAxis loadMedialAxis(const Value& v, const fs::path& folder) {
   MedialAxis axis;
   axis.vertices = readArray<MedialVertex>(stream);
   const auto ends = readArray<std::size_t>(stream);
-  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) axis.edges.push_back({ends[k], ends[k + 1], readArray<Vec3>(stream)});
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+    MedialEdge edge{ends[k], ends[k + 1], readArray<Vec3>(stream), {}};
+    edge.feet = readArray<MedialFeet>(stream);
+    axis.edges.push_back(std::move(edge));
+  }
   return axis;
 }
 

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/medial_checks.h"
@@ -51,6 +52,41 @@ void verifyAxis(const Region& part, const MedialAxis& axis, double tolerance, st
   QVERIFY2(report.outside == 0, report.text().c_str());
   const double uncovered = check.maximumUncovered(400, random);
   QVERIFY2(uncovered <= 3 * tolerance, qPrintable(QString("uncovered by %1").arg(uncovered)));
+}
+
+Vec2 placeOn(const Segment& segment, double parameter) {
+  if (const auto* line = std::get_if<Line2>(&segment)) return line->from + parameter * (line->to - line->from);
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    const double angle = arc->start + parameter * arc->sweep;
+    return arc->center + arc->radius * Vec2(std::cos(angle), std::sin(angle));
+  }
+  const Vec4 place = evaluate(toCurve(std::get<Spline2>(segment)), parameter);
+  return {place.x() / place.w(), place.y() / place.w()};
+}
+
+/// Each foot lies where its parameter says, as far from the point as the clearance, the left one to the left.
+/// @returns the largest error of a distance
+double verifyFeet(const Region& part, const MedialAxis& axis, double tolerance = 1e-3) {
+  double worst = 0;
+  for (const MedialEdge& edge : axis.edges) {
+    if (edge.feet.size() != edge.points.size()) return 1e9;
+    for (std::size_t i = 0; i < edge.points.size(); ++i) {
+      const Vec2 x = edge.points[i].head<2>();
+      for (const BoundaryFoot& foot : {edge.feet[i].left, edge.feet[i].right}) {
+        const Segment& segment = part.loops.at(foot.loop).segments.at(foot.segment);
+        worst = std::max({worst, (placeOn(segment, foot.parameter) - foot.at).norm(),
+                          std::abs((foot.at - x).norm() - edge.points[i].z())});
+      }
+      const Vec3 along = i == 0 ? Vec3(Vec3::Zero()) : Vec3(edge.points[i] - edge.points[i - 1]);
+      if (along.norm() < tolerance) continue;  // beside a vertex the axis may run to and fro
+      const Vec2 middle = (edge.points[i] + edge.points[i - 1]).head<2>() / 2;
+      const Vec2 left = (edge.feet[i].left.at + edge.feet[i - 1].left.at) / 2;
+      const Vec2 right = (edge.feet[i].right.at + edge.feet[i - 1].right.at) / 2;
+      worst = std::max(
+          {worst, -cross(along.head<2>().normalized(), left - middle), cross(along.head<2>().normalized(), right - middle)});
+    }
+  }
+  return worst;
 }
 
 }  // namespace
@@ -141,6 +177,55 @@ class PocketMedialTest final : public QObject {
       const Region part{{wavyPath({0, 0}, radius, share(random) * radius, waves(random)),
                          wavyPath({0.1 * radius, 0}, 0.3 * radius, share(random) * 0.3 * radius, waves(random), true)}};
       verifyAxis(part, axisOf(part), 1e-3, random);
+    }
+  }
+  void theFeetOfARectangleLieOnItsSides() {
+    const Region part{{boxPath(0, 0, 60, 40)}};
+    const MedialAxis axis = axisOf(part);
+    const auto long_ = std::find_if(axis.edges.begin(), axis.edges.end(), [](const MedialEdge& edge) {
+      return (edge.points.front() - edge.points.back()).head<2>().norm() > 19 && edge.points.front().z() == 20;
+    });
+    QVERIFY(long_ != axis.edges.end());
+    for (std::size_t i = 0; i < long_->points.size(); ++i) {
+      const MedialFeet& feet = long_->feet[i];
+      const bool isForwards = long_->points.back().x() > long_->points.front().x();
+      const BoundaryFoot& below = isForwards ? feet.right : feet.left;
+      const BoundaryFoot& above = isForwards ? feet.left : feet.right;
+      QCOMPARE(below.segment, std::size_t(0));
+      QCOMPARE(above.segment, std::size_t(2));
+      COMPARE_NEAR(below.parameter, long_->points[i].x() / 60, 1e-12);
+      COMPARE_NEAR(above.parameter, 1 - long_->points[i].x() / 60, 1e-12);
+    }
+    QVERIFY(verifyFeet(part, axis) <= 1e-12);
+  }
+  /// The feet of the disc around (x, 0) have x a^2 / (a^2 - b^2) as their x.
+  void theFeetOfAnEllipseAreItsNormals() {
+    const double a = 20, b = 9;
+    const Region part = ellipse(a, b);
+    const MedialAxis axis = axisOf(part);
+    for (std::size_t i = 0; i < axis.edges[0].points.size(); ++i) {
+      const double wanted = axis.edges[0].points[i].x() * a * a / (a * a - b * b);
+      // At the leaves the disc clings to the ellipse.
+      const double within = std::abs(wanted) > a - 0.1 ? 0.05 : 1e-6;
+      COMPARE_NEAR(axis.edges[0].feet[i].left.at.x(), wanted, within);
+      COMPARE_NEAR(axis.edges[0].feet[i].right.at.x(), wanted, within);
+    }
+    QVERIFY(verifyFeet(part, axis) <= 1e-6);
+  }
+  void everyFootLiesWhereItsDiscTouches() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> share(0.05, 0.4), size(8, 30);
+    std::uniform_int_distribution<int> waves(2, 9);
+    std::vector<Region> parts{wave(), Region{{boxPath(0, 0, 60, 40), circlePath({25, 18}, 9, true)}}};
+    for (int i = 0; i < 12; ++i) {
+      const double radius = size(random);
+      parts.push_back({{wavyPath({0, 0}, radius, share(random) * radius, waves(random)),
+                        wavyPath({0.1 * radius, 0}, 0.3 * radius, share(random) * 0.3 * radius, waves(random), true)}});
+    }
+    for (const Region& part : parts) {
+      const ClearanceDiagram diagram(part, {1e-3});
+      const double worst = verifyFeet(diagram.region(), diagram.medialAxis());
+      QVERIFY2(worst <= 1e-3 / 2, qPrintable(QString::number(worst)));
     }
   }
   void turningAndReversingChangeNothing() {

@@ -28,7 +28,8 @@ Path triangle() {
 MedialAxis axis() {
   MedialAxis axis;
   axis.vertices = {{{0, 0}, 2, true}, {{5, 1}, 0, false}};
-  axis.edges = {{0, 1, {{0, 0, 2}, {3, 0.5, 1}, {5, 1, 0}}}};
+  const MedialFeet feet{{0, 3, 0.5, {0, 2}}, {1, 0, 2.25, {0, -2}}};
+  axis.edges = {{0, 1, {{0, 0, 2}, {3, 0.5, 1}, {5, 1, 0}}, {feet, feet, {}}}};
   return axis;
 }
 

@@ -14,6 +14,7 @@
 #include "exchange/cad/brep_import.h"
 #include "exchange/cad/occt_io.h"
 #include "exchange/cad/xcaf_write.h"
+#include "exchange/format/axis_curves.h"
 
 namespace blossom {
 
@@ -96,11 +97,11 @@ Format brepFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("brep.read", path, progress);
   };
+  format.writeOptions.push_back(heightsOption(true));
   format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
-    exportBrep("brep.write", toBrep(shape), path, options, progress);
+    exportBrep("brep.write", toBrep(shape, options), path, options, progress);
   };
-  format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
-                   ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
+  format.writes = brepKinds();
   return format;
 }
 

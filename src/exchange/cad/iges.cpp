@@ -16,6 +16,7 @@
 #include "exchange/cad/occt_io.h"
 #include "exchange/cad/xcaf_read.h"
 #include "exchange/cad/xcaf_write.h"
+#include "exchange/format/axis_curves.h"
 
 namespace blossom {
 
@@ -104,11 +105,11 @@ Format igesFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("iges.read", path, progress);
   };
+  format.writeOptions.push_back(heightsOption(true));
   format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
-    exportBrep("iges.write", toBrep(shape), path, options, progress);
+    exportBrep("iges.write", toBrep(shape, options), path, options, progress);
   };
-  format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
-                   ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
+  format.writes = brepKinds();
   return format;
 }
 

@@ -24,6 +24,7 @@
 #include "exchange/cad/occt_io.h"
 #include "exchange/cad/xcaf_read.h"
 #include "exchange/cad/xcaf_write.h"
+#include "exchange/format/axis_curves.h"
 
 namespace blossom {
 
@@ -100,7 +101,7 @@ Handle(StepData_StepModel) withOrderedColors(const Handle(StepData_StepModel) & 
                       presentation});
   }
   std::stable_sort(colors.begin(), colors.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  const Handle(StepData_StepModel) ordered = new StepData_StepModel;
+  Handle(StepData_StepModel) ordered = new StepData_StepModel;
   ordered->GetFromAnother(model);
   ordered->SetProtocol(model->Protocol());
   for (int i = 1; i < firstNumber; ++i) ordered->AddEntity(model->Value(i));
@@ -177,11 +178,11 @@ Format stepFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("step.read", path, progress);
   };
+  format.writeOptions.push_back(heightsOption(true));
   format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
-    exportBrep("step.write", toBrep(shape), path, options, progress);
+    exportBrep("step.write", toBrep(shape, options), path, options, progress);
   };
-  format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
-                   ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
+  format.writes = brepKinds();
   return format;
 }
 

@@ -1,10 +1,12 @@
 #include "exchange/cad/xcaf_write.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRep_Builder.hxx>
 #include <Quantity_Color.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -13,6 +15,7 @@
 
 #include "core/error.h"
 #include "exchange/cad/xcaf_read.h"
+#include "exchange/format/axis_curves.h"
 #include "geometry/occt/occt.h"
 
 namespace blossom {
@@ -128,11 +131,20 @@ std::vector<BrepInstance> withGeometry(const std::vector<BrepInstance>& uses, Pa
 }
 
 struct ToBrep {
+  bool heights = false;  ///< of a medial axis
   Brep operator()(const Brep& brep) const { return brep; }
   Brep operator()(const Surface& surface) const { return Brep(toFace(surface), "Surface"); }
   Brep operator()(const Curve& curve) const { return Brep(BRepBuilderAPI_MakeEdge(toOcct(curve)).Shape(), "Curve"); }
   Brep operator()(const Curves& curves) const { return Brep(toWires(curves), "Curves"); }
   Brep operator()(const Region& region) const { return Brep(toFaces(region), "Region"); }
+  Brep operator()(const MedialAxis& axis) const {
+    if (!heights) return Brep(toWires(drawingOf(axis)), "Medial axis");
+    const BRep_Builder builder;
+    TopoDS_Compound edges;
+    builder.MakeCompound(edges);
+    for (const Curve& curve : spaceCurvesOf(axis)) builder.Add(edges, BRepBuilderAPI_MakeEdge(toOcct(curve)).Shape());
+    return Brep(edges, "Medial axis");
+  }
   Brep operator()(const Mesh& mesh) const {
     return Brep(meshShape(mesh), mesh.name.empty() ? "Mesh" : mesh.name, mesh.color);
   }
@@ -144,7 +156,12 @@ struct ToBrep {
 
 }  // namespace
 
-Brep toBrep(const Shape& shape) { return shape.visit(ToBrep()); }
+Brep toBrep(const Shape& shape, const Value& options) { return shape.visit(ToBrep{options.value("heights", false)}); }
+
+std::vector<ShapeKind> brepKinds() {
+  return {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,     ShapeKind::Curves,
+          ShapeKind::Region, ShapeKind::Mesh,    ShapeKind::MedialAxis};
+}
 
 Handle(TDocStd_Document) toDocument(const Brep& brep) {
   PartsWithGeometry known;

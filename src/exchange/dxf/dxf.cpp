@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "exchange/dxf/dxf_drawing.h"
 #include "exchange/dxf/dxf_write.h"
+#include "exchange/format/axis_curves.h"
 #include "exchange/format/format.h"
 
 namespace blossom {
@@ -48,6 +49,7 @@ Format dxfFormat() {
   format.extensions = {"dxf"};
   format.read = readDxf;
   format.write = writeDxf;
+  format.writeOptions = {heightsOption(false)};
   format.writes = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
   return format;
 }

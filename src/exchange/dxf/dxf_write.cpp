@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "exchange/dxf/dxf_drawing.h"
+#include "exchange/format/axis_curves.h"
 #include "geometry/planar/planar.h"
 
 namespace blossom {
@@ -39,8 +40,8 @@ std::string layerName(const std::string& name) {
 
 class DxfWriter {
  public:
-  /// @param inSpace a curve beside them, or none
-  DxfWriter(const Curves& curves, const Curve* inSpace, const std::filesystem::path& path)
+  /// @param inSpace curves beside them
+  DxfWriter(const Curves& curves, const std::vector<Curve>& inSpace, const std::filesystem::path& path)
       : curves_(curves), inSpace_(inSpace), file_(path.string()) {
     // Opening the file with dxflib sets its version; our own writer then overwrites the file.
     delete dxf_.out(file_.c_str(), DL_Codes::AC1015);
@@ -62,7 +63,10 @@ class DxfWriter {
       if (i % 256 == 0) progress.check();
       path(curves_.paths[i]);
     }
-    if (inSpace_) spaceCurve(*inSpace_);
+    for (const Curve& curve : inSpace_) {
+      progress.check();
+      spaceCurve(curve);
+    }
     writer_->sectionEnd();
     dxf_.writeObjects(*writer_);
     dxf_.writeObjectsEnd(*writer_);
@@ -227,7 +231,7 @@ class DxfWriter {
   }
 
   const Curves& curves_;
-  const Curve* inSpace_;
+  const std::vector<Curve>& inSpace_;
   std::string file_;
   DL_Dxf dxf_;
   std::unique_ptr<ExactWriter> writer_;
@@ -235,9 +239,12 @@ class DxfWriter {
 
 }  // namespace
 
-void writeDxf(const Shape& shape, const std::filesystem::path& path, const Value&, const Progress& progress) {
-  const Curve* inSpace = shape.get<Curve>();
-  const Curves curves = inSpace ? Curves{} : *drawingOf(shape);
+void writeDxf(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
+  const auto* const axis = shape.get<MedialAxis>();
+  std::vector<Curve> inSpace;
+  if (axis && options.value("heights", false)) inSpace = spaceCurvesOf(*axis);
+  if (const Curve* curve = shape.get<Curve>()) inSpace.push_back(*curve);
+  const Curves curves = inSpace.empty() ? *drawingOf(shape) : Curves{};
   DxfWriter(curves, inSpace, path).write(progress);
 }
 

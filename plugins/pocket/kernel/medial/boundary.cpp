@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
 #include "kernel/stroke/grid.h"
 #include "kernel/stroke/stroke.h"
@@ -76,25 +77,35 @@ double chordOnGrid(const Region& region, double chord, double step, double size)
   return containsAny<Arc2>(region) ? minimum : chord;
 }
 
-/// The outlines without straight segments shorter than a length; the next one begins where the one before ends.
+/// The outlines with straight segments shorter than a length shrunk to points; what follows begins where the one before
+/// them ends. Segments keep their numbers.
 Region withoutJogs(const Region& region, double length) {
   Region smooth = region;
   for (Path& path : smooth.loops) {
-    std::vector<Segment> kept;
-    for (const Segment& segment : path.segments) {
-      const auto* line = std::get_if<Line2>(&segment);
-      if (line && (line->to - line->from).norm() < length) continue;
-      kept.push_back(segment);
+    std::vector<std::size_t> kept, jogs;
+    for (std::size_t i = 0; i < path.segments.size(); ++i) {
+      const auto* line = std::get_if<Line2>(&path.segments[i]);
+      (line && (line->to - line->from).norm() < length ? jogs : kept).push_back(i);
     }
-    if (kept.size() < 2 || kept.size() == path.segments.size()) continue;
+    if (kept.size() < 2 || jogs.empty()) continue;
     for (std::size_t i = 0; i < kept.size(); ++i)
-      if (auto* line = std::get_if<Line2>(&kept[i])) {
-        const Segment& before = kept[(i + kept.size() - 1) % kept.size()];
-        if ((endPoint(before) - line->from).norm() < 4 * length) line->from = endPoint(before);
+      if (auto* line = std::get_if<Line2>(&path.segments[kept[i]])) {
+        const Vec2 before = endPoint(path.segments[kept[(i + kept.size() - 1) % kept.size()]]);
+        if ((before - line->from).norm() < 4 * length) line->from = before;
       }
-    path.segments = std::move(kept);
+    for (const std::size_t jog : jogs) {
+      const auto next = std::upper_bound(kept.begin(), kept.end(), jog);
+      const Vec2 there = startPoint(path.segments[next == kept.end() ? kept.front() : *next]);
+      path.segments[jog] = Line2{there, there};
+    }
   }
   return smooth;
+}
+
+/// Parameters at the ends of the curves that a segment is made of.
+std::vector<double> breaksOf(const Segment& segment) {
+  const auto* const spline = std::get_if<Spline2>(&segment);
+  return spline ? toBezier(toCurve(*spline)).breaks : std::vector<double>{0, 1};
 }
 
 }  // namespace
@@ -165,19 +176,24 @@ void Boundary::take(const Region& region, const Progress& progress) {
   // Far from the origin doubles are coarser than the grid of the diagram.
   weld_ = std::max({1e-8 * size_, 1e-13 * middle_.norm(), 1e-3 * chord_});
   curves_.clear();
+  sources_.clear();
   pieces_.clear();
-  for (const Path& path : region.loops) {
+  for (std::size_t loop = 0; loop < region.loops.size(); ++loop) {
     progress.check();
-    take(path);
+    take(region.loops[loop], loop);
   }
   makeTree();
 }
 
-void Boundary::take(const Path& path) {
+void Boundary::take(const Path& path, std::size_t loop) {
   const std::size_t first = pieces_.size();
   std::optional<Vec2> last;
-  for (const Segment& segment : path.segments)
-    for (TrueCurve& curve : trueCurves(segment)) {
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const std::vector<double> breaks = breaksOf(path.segments[i]);
+    std::size_t span = 0;
+    for (TrueCurve& curve : trueCurves(path.segments[i])) {
+      const CurveSource source{loop, i, breaks[span], breaks[span + 1]};
+      ++span;
       if (!(curve.lengthBound() > weld_)) continue;
       const std::vector<CurveSample> samples = flattened(curve, chord_);
       if (pieces_.size() + samples.size() > maximumPieces)
@@ -196,7 +212,9 @@ void Boundary::take(const Path& path) {
       if (pieces_.size() == before) continue;
       pieces_.back().t1 = 1;
       curves_.push_back(std::move(curve));
+      sources_.push_back(source);
     }
+  }
   const std::size_t end = pieces_.size();
   if (end < first + 2) {  // a speck: nothing that a diagram could see
     pieces_.resize(first);

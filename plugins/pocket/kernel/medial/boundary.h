@@ -33,6 +33,12 @@ struct Piece {
   }
 };
 
+/// Where a curve of a boundary lies in its region.
+struct CurveSource {
+  std::size_t loop = 0, segment = 0;
+  double from = 0, to = 1;  ///< parameters of the segment at its ends: 0 and 1 of lines and arcs, of a spline its own
+};
+
 /// The boundary of a region, flattened, with references to its curves. Immutable.
 class Boundary {
  public:
@@ -42,6 +48,8 @@ class Boundary {
 
   [[nodiscard]] const Region& region() const { return region_; }
   [[nodiscard]] const std::vector<TrueCurve>& curves() const { return curves_; }
+  /// Of each curve.
+  [[nodiscard]] const std::vector<CurveSource>& sources() const { return sources_; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   [[nodiscard]] double chord() const { return chord_; }
   [[nodiscard]] double size() const { return size_; }  ///< mm, the larger side of its box
@@ -64,7 +72,7 @@ class Boundary {
 
  private:
   void take(const Region&, const Progress&);
-  void take(const Path&);
+  void take(const Path&, std::size_t loop);
   struct Trouble {
     Vec2 at;
     bool along;  ///< pieces overlap
@@ -76,6 +84,7 @@ class Boundary {
 
   Region region_;
   std::vector<TrueCurve> curves_;
+  std::vector<CurveSource> sources_;
   std::vector<Piece> pieces_;
   BoxTree<2> tree_;
   double chord_, size_ = 0, weld_ = 0;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "kernel/medial/disc_proof.h"
+#include "kernel/medial/medial_chains.h"
+#include "kernel/medial/medial_feet.h"
 #include "kernel/medial/medial_prune.h"
 
 namespace blossom::pocket {
@@ -18,43 +19,10 @@ std::vector<Contact> contactsAround(const Boundary& boundary, const Diagram& dia
                                     const std::vector<std::size_t>& halves) {
   const VoronoiGraph& graph = diagram.graph();
   std::vector<Contact> contacts;
+  contacts.reserve(halves.size());
   for (const std::size_t h : halves)
     contacts.push_back(contactOf(boundary, graph.cells[graph.edges[h].cell], graph.vertices[vertex]));
   return contacts;
-}
-
-/// Keeps the points that a polyline needs to stay within `tolerance` of the one given (Douglas & Peucker 1973).
-void thin(const std::vector<Vec3>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep) {
-  double worst = tolerance;
-  std::size_t where = from;
-  const Vec3 along = points[to] - points[from];
-  for (std::size_t i = from + 1; i < to; ++i) {
-    const double share =
-        along.squaredNorm() > 0 ? std::clamp((points[i] - points[from]).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-    const double away = (points[from] + share * along - points[i]).norm();
-    if (away > worst) {
-      worst = away;
-      where = i;
-    }
-  }
-  if (where == from) return;
-  keep[where] = true;
-  thin(points, from, where, tolerance, keep);
-  thin(points, where, to, tolerance, keep);
-}
-
-std::vector<Vec3> thinned(const std::vector<Vec3>& points, double tolerance) {
-  std::vector<bool> keep(points.size(), false);
-  keep.front() = keep.back() = true;
-  // A closed chain has no chord: keep its middle first.
-  const std::size_t middle = points.size() / 2;
-  keep[middle] = true;
-  thin(points, 0, middle, tolerance, keep);
-  thin(points, middle, points.size() - 1, tolerance, keep);
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (keep[i]) out.push_back(points[i]);
-  return out;
 }
 
 class AxisMaker {
@@ -86,7 +54,8 @@ class AxisMaker {
       walkFrom(v);
     }
     for (const std::size_t tip : kept_.tips) addLeaf(tip);
-    joinNeighbours();
+    joinNeighbours(axis_.vertices, chains_, tolerance_ / 10);
+    for (Chain& chain : chains_) addEdge(chain);
     certify();
     return std::move(axis_);
   }
@@ -137,16 +106,19 @@ class AxisMaker {
     for (const std::size_t start : around_[v]) {
       if (!kept_.edge[start / 2] || walked_[start / 2]) continue;
       progress_.check();
-      std::vector<Vec3> points{pointOf(node_[v])};
+      Chain chain{node_[v], none, {pointOf(node_[v])}, {touchedBy(start)}};
       std::size_t h = start;
       while (true) {
         walked_[h / 2] = true;
         const std::vector<Vec3> edge = diagram_.polyline(h, tolerance_ / 8);
-        for (std::size_t i = 1; i < edge.size(); ++i) points.push_back(onTrueBisector(h, edge[i]));
+        for (std::size_t i = 1; i < edge.size(); ++i) chain.points.push_back(onTrueBisector(h, edge[i]));
+        chain.touched.resize(chain.points.size(), touchedBy(h));
         const std::size_t end = graph_.target(h);
         if (node_[end] != none) {
-          points.back() = pointOf(node_[end]);
-          axis_.edges.push_back({node_[v], node_[end], thinned(points, tolerance_ / 8)});
+          chain.to = node_[end];
+          chain.points.back() = pointOf(chain.to);
+          thin(chain, tolerance_ / 8);
+          chains_.push_back(std::move(chain));
           break;
         }
         h = *std::find_if(around_[end].begin(), around_[end].end(),
@@ -155,97 +127,38 @@ class AxisMaker {
     }
   }
 
+  [[nodiscard]] Touched touchedBy(std::size_t h) const {
+    return {graph_.cells[graph_.edges[h].cell], graph_.cells[graph_.edges[h ^ 1].cell], {}};
+  }
+
   void addLeaf(std::size_t tip) {
     const auto leaf = leafBeyond(boundary_, diagram_, tip);
     const std::size_t from = node_[graph_.edges[tip].origin];
     if (!leaf || from == none) return;
-    if ((leaf->center - axis_.vertices[from].at).norm() < boundary_.weld()) {
-      axis_.vertices[from].at = leaf->center;
-      axis_.vertices[from].clearance = leaf->radius;
+    const Disc& disc = leaf->disc;
+    if ((disc.center - axis_.vertices[from].at).norm() < boundary_.weld()) {
+      axis_.vertices[from].at = disc.center;
+      axis_.vertices[from].clearance = disc.radius;
       return;
     }
-    axis_.vertices.push_back({leaf->center, leaf->radius, false});
-    axis_.edges.push_back({from, axis_.vertices.size() - 1, {pointOf(from), pointOf(axis_.vertices.size() - 1)}});
+    axis_.vertices.push_back({disc.center, disc.radius, false});
+    const std::size_t to = axis_.vertices.size() - 1;
+    Touched end = touchedBy(tip);
+    end.leaf = footAt(boundary_, leaf->curve, leaf->parameter);
+    chains_.push_back({from, to, {pointOf(from), pointOf(to)}, {touchedBy(tip), end}});
   }
 
-  /// Vertices that only rounding or the flattening keeps apart become one; a vertex where a leaf was added and nothing
-  /// branches is none.
-  void joinNeighbours() {
-    const double apart = tolerance_ / 10;
-    std::vector<std::size_t> same(axis_.vertices.size());
-    for (std::size_t i = 0; i < same.size(); ++i) same[i] = i;
-    const auto root = [&](std::size_t i) {
-      while (same[i] != i) i = same[i] = same[same[i]];
-      return i;
-    };
-    std::vector<MedialEdge> edges;
-    for (MedialEdge& edge : axis_.edges) {
-      const bool corner = axis_.vertices[edge.from].clearance == 0 || axis_.vertices[edge.to].clearance == 0;
-      double length = 0;
-      for (std::size_t i = 1; i < edge.points.size(); ++i) length += (edge.points[i] - edge.points[i - 1]).head<2>().norm();
-      if (length < apart && !corner && edge.from != edge.to)
-        same[root(edge.from)] = root(edge.to);
-      else
-        edges.push_back(std::move(edge));
-    }
-    for (MedialEdge& edge : edges) {
-      edge.from = root(edge.from);
-      edge.to = root(edge.to);
-      edge.points.front() = pointOf(edge.from);
-      edge.points.back() = pointOf(edge.to);
-    }
-    std::vector<bool> used(same.size(), false);
-    for (std::size_t i = 0; i < same.size(); ++i) used[root(i)] = true;
-    axis_.edges = std::move(edges);
-    joinLeaves(used);
-    renumber(used);
+  [[nodiscard]] MedialFeet feetOf(const Touched& touched, const Vec3& point) const {
+    if (touched.leaf) return {*touched.leaf, *touched.leaf};
+    return {footOf(boundary_, touched.left, point.head<2>()), footOf(boundary_, touched.right, point.head<2>())};
   }
 
-  /// The straight piece up to a leaf continues the chain it was added to.
-  void joinLeaves(std::vector<bool>& used) {
-    std::vector<std::vector<std::size_t>> at(axis_.vertices.size());
-    for (std::size_t e = 0; e < axis_.edges.size(); ++e) {
-      at[axis_.edges[e].from].push_back(e);
-      at[axis_.edges[e].to].push_back(e);
-    }
-    std::vector<bool> gone(axis_.edges.size(), false);
-    for (std::size_t v = 0; v < at.size(); ++v) {
-      if (at[v].size() != 2 || at[v][0] == at[v][1]) continue;
-      MedialEdge& keep = axis_.edges[at[v][0]];
-      MedialEdge& drop = axis_.edges[at[v][1]];
-      const std::size_t far = drop.from == v ? drop.to : drop.from;
-      if (keep.from == keep.to || far == v || keep.from == far || keep.to == far) continue;
-      std::vector<Vec3> more = drop.points;
-      if (drop.from != v) std::reverse(more.begin(), more.end());
-      if (keep.to != v) {
-        std::reverse(keep.points.begin(), keep.points.end());
-        std::swap(keep.from, keep.to);
-      }
-      keep.points.insert(keep.points.end(), more.begin() + 1, more.end());
-      keep.to = far;
-      std::replace(at[far].begin(), at[far].end(), at[v][1], at[v][0]);
-      gone[at[v][1]] = true;
-      used[v] = false;
-    }
-    std::vector<MedialEdge> edges;
-    for (std::size_t e = 0; e < axis_.edges.size(); ++e)
-      if (!gone[e]) edges.push_back(std::move(axis_.edges[e]));
-    axis_.edges = std::move(edges);
-  }
-
-  void renumber(const std::vector<bool>& used) {
-    std::vector<std::size_t> number(used.size(), none);
-    std::vector<MedialVertex> vertices;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      if (!used[i]) continue;
-      number[i] = vertices.size();
-      vertices.push_back(axis_.vertices[i]);
-    }
-    axis_.vertices = std::move(vertices);
-    for (MedialEdge& edge : axis_.edges) {
-      edge.from = number[edge.from];
-      edge.to = number[edge.to];
-    }
+  void addEdge(Chain& chain) {
+    progress_.check();
+    MedialEdge edge{chain.from, chain.to, std::move(chain.points), {}};
+    edge.feet.reserve(edge.points.size());
+    for (std::size_t i = 0; i < edge.points.size(); ++i) edge.feet.push_back(feetOf(chain.touched[i], edge.points[i]));
+    axis_.edges.push_back(std::move(edge));
   }
 
   /// A vertex is certified when its disc touches the boundary and is proved to contain no point of the curves as drawn.
@@ -267,6 +180,7 @@ class AxisMaker {
   std::vector<std::vector<std::size_t>> around_;  ///< by vertex: the half-edges that leave it
   std::vector<std::size_t> node_;                 ///< by vertex: its number in the axis
   std::vector<bool> walked_;
+  std::vector<Chain> chains_;
   MedialAxis axis_;
 };
 

@@ -118,7 +118,7 @@ KeptEdges keptEdges(const Boundary& boundary, const Diagram& diagram, double tol
   return Pruner(boundary, diagram, tolerance, progress).prune();
 }
 
-std::optional<Disc> leafBeyond(const Boundary& boundary, const Diagram& diagram, std::size_t tip) {
+std::optional<Leaf> leafBeyond(const Boundary& boundary, const Diagram& diagram, std::size_t tip) {
   const VoronoiGraph& graph = diagram.graph();
   const auto& pieces = boundary.pieces();
   const std::size_t v = graph.edges[tip].origin;
@@ -157,13 +157,13 @@ std::optional<Disc> leafBeyond(const Boundary& boundary, const Diagram& diagram,
   if (const double t = (low + high) / 2; curve.curvature(t) > sharpest) parameter = t;
   const double radius = 1 / curve.curvature(parameter);
   const Vec2 tangent = curve.tangent(parameter);
-  const Disc leaf{curve.point(parameter) + radius * Vec2(-tangent.y(), tangent.x()), radius};
+  const Disc disc{curve.point(parameter) + radius * Vec2(-tangent.y(), tangent.x()), radius};
   // Behind the tip there is no leaf, and a disc that holds boundary is none either.
   const double chord = boundary.chord();
-  if (radius > diagram.clearance(v) + chord || (leaf.center - graph.vertices[v]).norm() > diagram.clearance(v))
+  if (radius > diagram.clearance(v) + chord || (disc.center - graph.vertices[v]).norm() > diagram.clearance(v))
     return std::nullopt;
-  if (boundary.nearest(leaf.center).distance < radius - 1e-3 * chord) return std::nullopt;
-  return leaf;
+  if (boundary.nearest(disc.center).distance < radius - 1e-3 * chord) return std::nullopt;
+  return Leaf{disc, pieces[where].curve, parameter};
 }
 
 }  // namespace blossom::pocket

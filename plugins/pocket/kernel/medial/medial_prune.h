@@ -20,8 +20,14 @@ struct KeptEdges {
 /// of their discs: two pieces of one smooth curve are one site.
 KeptEdges keptEdges(const Boundary&, const Diagram&, double tolerance, const Progress&);
 
+/// A disc that touches the boundary in one place of maximum curvature.
+struct Leaf {
+  Disc disc;
+  std::size_t curve = 0;  ///< of the boundary
+  double parameter = 0;   ///< on it
+};
 /// The leaf of the true medial axis beyond a tip: the centre of curvature where the boundary beyond the tip has its maximum
 /// curvature.
-std::optional<Disc> leafBeyond(const Boundary&, const Diagram&, std::size_t tip);
+std::optional<Leaf> leafBeyond(const Boundary&, const Diagram&, std::size_t tip);
 
 }  // namespace blossom::pocket

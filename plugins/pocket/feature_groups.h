@@ -7,10 +7,12 @@ namespace blossom::pocket {
 
 /// Each registers the feature types of one group.
 void registerOffsetFeatures(Registry&);  ///< offset, medial axis
-void registerPocketFeatures(Registry&);  ///< pocket, simulate
+void registerPocketFeatures(Registry&);  ///< setup, pocket, simulate, carve
 
 FeatureType medialAxisFeature();
 FeatureType simulateFeature();
+FeatureType setupFeature();
+FeatureType carveFeature();
 
 /// Adds the statistics of the diagram to `stats`.
 void addDiagramStats(const ClearanceDiagram&, Value& stats);

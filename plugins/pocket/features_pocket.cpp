@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/error.h"
-#include "core/units.h"
 #include "feature_groups.h"
 #include "gouge_check.h"
 #include "kernel/check/simulate.h"
@@ -14,6 +12,8 @@
 #include "part_input.h"
 #include "pocket_advice.h"
 #include "pocket_heights.h"
+#include "pocket_parameters.h"
+#include "pocket_place.h"
 #include "residue_report.h"
 #include "toolpath_place.h"
 #include "uncut_report.h"
@@ -21,106 +21,6 @@
 namespace blossom::pocket {
 
 namespace {
-
-enum class Direction { Climb, Conventional };
-enum class Zero { Drawing, Corner, Center };
-enum class ZeroHeight { Top, Bottom };
-enum class WorkOffset { G54, G55, G56, G57, G58, G59 };
-
-struct PocketParameters {
-  double toolDiameter = 6, toolCorner = 0;
-  int toolNumber = 1;
-  double depth = 5, stepdown = 0;
-  std::string stepover = "45%";
-  Direction direction = Direction::Climb;
-  Entry entry = Entry::Ramp;
-  double rampAngle = 3;
-  double leaveWall = 0, leaveFloor = 0, finish = 0;
-  double feed = 800, plungeFeed = 200, spindle = 12000;
-  double safeHeight = 5, approach = 1;
-  double stockMargin = 5, stockThickness = 0;
-  Zero zero = Zero::Drawing;
-  ZeroHeight zeroHeight = ZeroHeight::Top;
-  WorkOffset workOffset = WorkOffset::G54;
-  double tolerance = 0.005;
-  SubShapeValue face;
-  FaceIs faceIs = FaceIs::Automatic;
-  bool skipOpen = false;
-};
-
-/// "45%" of the tool's diameter, or a length.
-double stepoverOf(const std::string& text, double diameter) {
-  const std::size_t mark = text.find('%');
-  const bool percent = mark != std::string::npos;
-  double step = 0;
-  try {
-    step = percent ? parseNumber(text.substr(0, mark)) / 100 * diameter : parseLength(text);
-  } catch (const Error& error) {
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The stepover \"{}\" is no number: {}", text, error.message()),
-                "Write a share of the tool's diameter such as 45%, or a length such as 2.5 mm.");
-  }
-  if (percent && text.find_first_not_of(" \t", mark + 1) != std::string::npos)
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The stepover \"{}\" goes on after the %.", text),
-                "Write 45% or 2.5 mm.");
-  if (!(step > 0) || !std::isfinite(step))
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The stepover must be above 0; it is \"{}\".", text),
-                "40% to 50% of the diameter is usual.");
-  return step;
-}
-
-PocketOptions optionsOf(const PocketParameters& p) {
-  PocketOptions o;
-  o.cutter = {
-      .diameter = p.toolDiameter, .cornerRadius = p.toolCorner, .vAngle = 0, .number = p.toolNumber, .spindle = p.spindle};
-  o.depth = p.depth;
-  o.stepdown = p.stepdown;
-  o.stepover = stepoverOf(p.stepover, p.toolDiameter);
-  o.climb = p.direction == Direction::Climb;
-  o.entry = p.entry;
-  o.rampAngle = toRadians(p.rampAngle);
-  o.leaveWall = p.leaveWall;
-  o.leaveFloor = p.leaveFloor;
-  o.finish = p.finish;
-  o.safeHeight = p.safeHeight;
-  o.approach = p.approach;
-  o.feed = p.feed;
-  o.plungeFeed = p.plungeFeed;
-  o.tolerance = p.tolerance;
-  return o;
-}
-
-/// The stock around the part, or around the solid whose face it is; the path begins to cut at z = 0.
-Bounds stockOf(const PocketParameters& p, const Region& region, const PocketHeights& heights) {
-  auto [low, high] = boxOf(region);
-  constexpr double below = 2;  // mm left under the pocket when nothing is said
-  double bottom = -heights.depth - below;
-  if (!heights.box.empty) {
-    low = low.cwiseMin(heights.box.low.head<2>());
-    high = high.cwiseMax(heights.box.high.head<2>());
-    bottom = std::min(heights.bottom, -heights.depth);
-  }
-  if (p.stockThickness > 0) bottom = heights.above - p.stockThickness;
-  if (bottom > -heights.depth)
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("The stock is {} mm thick, and the pocket would be {} mm deep.", formatNumber(p.stockThickness),
-                            formatNumber(heights.above + heights.depth)),
-                "Use thicker stock, or 0 for as thick as needed.");
-  Bounds stock;
-  stock.add({low.x() - p.stockMargin, low.y() - p.stockMargin, bottom});
-  stock.add({high.x() + p.stockMargin, high.y() + p.stockMargin, heights.above});
-  return stock;
-}
-
-/// From where the path begins to cut at z = 0 to where the work has its zero.
-Vec3 toWorkZero(const PocketParameters& p, const Part& part, const PocketHeights& heights, const Bounds& stock) {
-  Vec3 by = Vec3::Zero();
-  if (p.zero == Zero::Corner) by.head<2>() = -stock.low.head<2>();
-  if (p.zero == Zero::Center) by.head<2>() = -stock.center().head<2>();
-  by.z() = p.zeroHeight == ZeroHeight::Bottom ? -stock.low.z() : -stock.high.z();
-  if (p.zero == Zero::Drawing && p.zeroHeight == ZeroHeight::Top && part.looksUp)
-    by.z() = part.height - heights.face;  // a face keeps its height
-  return by;
-}
 
 void warnOfNarrow(const PocketResult& made, std::vector<std::string>& warnings) {
   if (made.tooNarrow.empty()) return;
@@ -177,13 +77,29 @@ SimulationResult addSimulation(const PocketParameters& p, const Region& region, 
   return simulated;
 }
 
+/// Into the part, a clamp or beyond the machine's travel.
+void refuseCollisions(const PocketParameters& p, const Setup& setup, const Toolpath& path, Evaluated& out,
+                      const Progress& progress) {
+  const SetupFindings found = findingsIn(setup, path, assemblyOf(path.cutter, p), p.tolerance, progress);
+  out.stats["collisions"] = found.collisions;
+  out.stats["removed_mm3"] = found.removed;
+  if (found.told.empty()) return;
+  const bool cutsPart = found.told.front().starts_with("The cutter runs into the part");
+  throw Error(ErrorCode::InvalidInput, found.told.front(),
+              cutsPart
+                  ? "The part of a setup is what is to be made, with its pocket in it; what it is cut from is the stock."
+                  : "Move the clamp, let the tool stick out farther, or choose another tool or zero.");
+}
+
 Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Progress& progress) {
   const Shape& input = inputs.of(0)[0];
   const Part part = partOf(input, given.face, given.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Evaluated out;
   out.warnings = part.warnings;
-  const PocketHeights heights =
+  PocketHeights heights =
       heightsOf(input, given.face, part, {given.depth, given.faceIs, given.tolerance}, out.warnings, progress.part(0, 0.1));
+  const Setup* setup = inputs.of(1).empty() ? nullptr : inputs.of(1)[0].get<Setup>();
+  const PocketPlace place = setup ? placeInSetup(*setup, part, heights) : placeOfItsOwn(given, part, heights);
   PocketParameters p = given;
   p.depth = heights.depth;
   PocketOptions options = optionsOf(p);
@@ -205,18 +121,18 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
   const CoverageOptions measured{p.toolDiameter / 2, p.leaveWall, checkOf(p).tolerance};
   reportCoverage(coverageOf(part.region, uncut, simulated, measured, progress.part(0.95, 0.98)), out);
   reportUncut(uncut, part.region, measured, floor, path, out, progress.part(0.98, 1));
-  path.stock = stockOf(p, part.region, heights);
+  path.stock = place.stock;
   path.workOffset = fmt::format("G{}", 54 + static_cast<int>(p.workOffset));
   out.stats["depths"] = made.depths;
   out.stats["loops"] = made.loops;
   out.stats["spokes"] = made.spokes;
   out.stats["entries"] = made.entries;
   out.stats["moves"] = path.moves.size();
-  const Vec3 by = toWorkZero(p, part, heights, path.stock);
   path.task = PocketTask{.depth = p.depth, .leaveWall = p.leaveWall, .leaveFloor = p.leaveFloor};
-  path.gougeOf = gougeOf(part.region, by, checkOf(p));
-  path = translated(std::move(path), by);
+  path.gougeOf = gougeOf(part.region, place.toWork, checkOf(p));
+  path = translated(std::move(path), place.toWork);
   warnOfDistance(path, out.warnings);
+  if (setup) refuseCollisions(p, *setup, path, out, progress);
   out.shape = std::move(path);
   return out;
 }
@@ -235,14 +151,10 @@ ParameterSpec feedRate() {
   return spec;
 }
 
-FeatureType pocketFeature() {
+/// How the tool cuts.
+void declareCutting(FeatureBuilder<PocketParameters>& type) {
   using P = PocketParameters;
-  return feature<P>("pocket.pocket", "Pocket", "A toolpath that clears a part down to a depth, islands left standing.")
-      .icon("pocket")
-      .keywords({"mill", "cam", "toolpath", "g-code", "clear"})
-      .produces({ShapeKind::Toolpath})
-      .input(partInput("an outline or solid to cut a pocket into"))
-      .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
+  type.parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
       .parameter("depth", &P::depth, positiveLength(), "Depth of the pocket; unused when its floor is picked.")
       .parameter("stepover", &P::stepover, text(), "Distance between passes: a share of the diameter (45%) or a length.")
       .parameter("stepdown", &P::stepdown, lengthFromZero(),
@@ -261,14 +173,21 @@ FeatureType pocketFeature() {
                  "Revolutions per minute; 0: the program does not start the spindle.")
       .parameter("safe-height", &P::safeHeight, positiveLength(),
                  "Height above the stock and the whole solid at which the tool crosses.")
-      .parameter("approach", &P::approach, positiveLength(), "Height above the material at which rapids down end.")
-      .parameter("zero", &P::zero, choice({"drawing", "corner", "center"}),
+      .parameter("approach", &P::approach, positiveLength(), "Height above the material at which rapids down end.");
+}
+
+/// Where the part lies, and the tool in the changer.
+void declarePlace(FeatureBuilder<PocketParameters>& type) {
+  using P = PocketParameters;
+  type.parameter("zero", &P::zero, onlyWithout(choice({"drawing", "corner", "center"}), "setup"),
                  "The work's zero: that of the drawing, or the stock's lower left corner or centre.")
-      .parameter("zero-height", &P::zeroHeight, choice({"top", "bottom"}), "The height of zero: the stock's top or bottom.")
+      .parameter("zero-height", &P::zeroHeight, onlyWithout(choice({"top", "bottom"}), "setup"),
+                 "The height of zero: the stock's top or bottom.")
       .parameter("work-offset", &P::workOffset, choice({"G54", "G55", "G56", "G57", "G58", "G59"}),
                  "The work offset of the control with the work's zero.")
-      .parameter("stock-margin", &P::stockMargin, lengthFromZero(), "Distance by which the stock exceeds the part.")
-      .parameter("stock-thickness", &P::stockThickness, lengthFromZero(),
+      .parameter("stock-margin", &P::stockMargin, onlyWithout(lengthFromZero(), "setup"),
+                 "Distance by which the stock exceeds the part.")
+      .parameter("stock-thickness", &P::stockThickness, onlyWithout(lengthFromZero(), "setup"),
                  "0: 2 mm more than the pocket is deep, or as thick as the solid.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the end mill's corners.")
       .parameter("tool-number", &P::toolNumber, count(1, 9999), "Place in the tool changer.")
@@ -276,17 +195,41 @@ FeatureType pocketFeature() {
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("face-is", &P::faceIs, choice({"automatic", "top", "floor"}),
                  "Role of the picked face; automatic: the floor when walls rise all around it.")
-      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
-      .example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
+      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp);
+}
+
+FeatureType pocketFeature() {
+  auto type =
+      feature<PocketParameters>("pocket.pocket", "Pocket",
+                                "A toolpath that clears a part down to a depth, islands left standing.")
+          .icon("pocket")
+          .keywords({"mill", "cam", "toolpath", "g-code", "clear"})
+          .produces({ShapeKind::Toolpath})
+          .input(partInput("an outline or solid to cut a pocket into"))
+          .input(
+              {.name = "setup",
+               .help = "How the part is held: it gives the stock, the zero and the heights, and nothing in it may be hit.",
+               .kinds = {ShapeKind::Setup},
+               .minimum = 0,
+               .asks = "the setup that the part is cut in"});
+  declareCutting(type);
+  declarePlace(type);
+  type.example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
       .example("blossom pocket cover.step --face 4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")
       .example(
-          "blossom pocket --text Blossom --font \"DejaVu Serif\" --text.height 40 --tool-diameter 3 --depth 2 -o name.ngc")
+          "blossom pocket --text Blossom --font \"DejaVu Serif\" --text.height 40 --tool-diameter 3 --depth 2 -o "
+          "name.ngc")
       .example("blossom pocket sign.svg --tool-diameter 3 --depth 2 --finish 0.2 --post grbl -o sign.nc")
-      .evaluate(pocketOf);
+      .example(
+          "blossom pocket cover.step --setup job.blossom#setup --face 4 --depth 3 --flute-length 15 --stick-out 25 "
+          "--holder-diameter 40 -o cover.ngc");
+  return withHolder(type).evaluate(pocketOf);
 }
 
 }  // namespace
 
-void registerPocketFeatures(Registry& registry) { registry.addAll(pocketFeature(), simulateFeature()); }
+void registerPocketFeatures(Registry& registry) {
+  registry.addAll(setupFeature(), pocketFeature(), simulateFeature(), carveFeature());
+}
 
 }  // namespace blossom::pocket

@@ -11,13 +11,14 @@
 #include "part_input.h"
 #include "pocket_heights.h"
 #include "residue_report.h"
+#include "setup_check.h"
 #include "toolpath_place.h"
 
 namespace blossom::pocket {
 
 namespace {
 
-struct SimulateParameters {
+struct SimulateParameters : HolderParameters {
   double toolDiameter = 0, toolCorner = 0;
   double depth = 0, leave = 0;
   double tolerance = 0.01;
@@ -110,6 +111,15 @@ void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
                                    lineText(path, static_cast<std::size_t>(deepest - path.moves.begin()))));
 }
 
+void checkSetup(const SimulateParameters& p, const Setup& setup, Toolpath& path, Evaluated& out, const Progress& progress) {
+  SetupFindings found = findingsIn(setup, path, assemblyOf(path.cutter, p), p.tolerance, progress);
+  out.stats["collisions"] = found.collisions;
+  out.stats["moves_outside_travel"] = found.outside;
+  out.stats["removed_mm3"] = found.removed;
+  path.marks.insert(path.marks.end(), found.marks.begin(), found.marks.end());
+  for (std::string& each : found.told) out.warnings.push_back(std::move(each));
+}
+
 Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Progress& progress) {
   const Part part = partOf(inputs.of(1)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Toolpath path = inputs.get<Toolpath>(0);
@@ -120,7 +130,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
                                                       {.depth = p.depth, .tolerance = p.tolerance}, ofHeights, progress);
   const Vec3 place = placeOf(path, part, heights.face);
   const SimulationOptions options = optionsOf(p, path, heights);
-  const SimulationResult result = simulate(translated(path, -place), part.region, options, progress);
+  const SimulationResult result = simulate(translated(path, -place), part.region, options, progress.part(0, 0.6));
   path.gouge = result.gouge;
   path.residue = result.residue;
   path.marks.clear();
@@ -142,6 +152,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   if (path.cutter.cornerRadius > 0) out.stats["ridge_mm"] = result.ridge;
   if (path.blending > 0) out.stats["blending_mm"] = path.blending;
   warnOfMoves(path, out.warnings);
+  if (!inputs.of(2).empty()) checkSetup(p, *inputs.of(2)[0].get<Setup>(), path, out, progress.part(0.6, 1));
   if (!result.residue) out.warnings.emplace_back("The residue of V bits is not measured.");
   path.gougeOf = gougeOf(part.region, place, options);
   out.shape = std::move(path);
@@ -152,29 +163,41 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
 
 FeatureType simulateFeature() {
   using P = SimulateParameters;
-  return feature<P>("pocket.simulate", "Simulate", "Sweeps a program's tool along its moves and measures gouge and residue.")
-      .icon("simulate")
-      .produces({ShapeKind::Toolpath})
-      .input({.name = "program",
-              .help =
-                  "A toolpath or a G-code program. In a document, a program that starts no spindle (M3) and names no tool "
-                  "(T) is one when it is imported as \"toolpath\".",
-              .kinds = {ShapeKind::Toolpath},
-              .asks = "a program to simulate",
-              .importedWith = {{"gcode", {{"as", "toolpath"}}}}})
-      .input(partInput("the part that it cuts"))
-      .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
-      .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")
-      .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as in the program's head.")
-      .parameter("leave", &P::leave, lengthFromZero(), "Stock to leave on the walls; 0: as in the program's head.")
-      .parameter("tolerance", &P::tolerance, positiveLength(),
-                 "Residue narrower than this does not count; a deeper gouge is a warning.")
-      .parameter("face", &P::face, partFace(), partFaceHelp)
-      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
-      .example("blossom simulate plate.ngc --part plate.dxf")
-      .example("blossom simulate foreign.nc --part plate.dxf --tool-diameter 6 --depth 10 --json")
-      .example("blossom simulate plate.ngc part.step --face 4")
-      .evaluate(simulated);
+  auto type =
+      feature<P>("pocket.simulate", "Simulate", "Sweeps a program's tool along its moves and measures gouge and residue.")
+          .icon("simulate")
+          .produces({ShapeKind::Toolpath})
+          .input(
+              {.name = "program",
+               .help =
+                   "A toolpath or a G-code program. In a document, a program that starts no spindle (M3) and names no tool "
+                   "(T) is one when it is imported as \"toolpath\".",
+               .kinds = {ShapeKind::Toolpath},
+               .asks = "a program to simulate",
+               .importedWith = {{"gcode", {{"as", "toolpath"}}}}})
+          .input(partInput("the part that it cuts"))
+          .input(
+              {.name = "setup",
+               .help =
+                   "How the part is held: the whole tool is swept against the solid and the clamps, from the work's zero.",
+               .kinds = {ShapeKind::Setup},
+               .minimum = 0,
+               .asks = "the setup that it runs in"})
+          .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
+          .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")
+          .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as in the program's head.")
+          .parameter("leave", &P::leave, lengthFromZero(), "Stock to leave on the walls; 0: as in the program's head.")
+          .parameter("tolerance", &P::tolerance, positiveLength(),
+                     "Residue narrower than this does not count; a deeper gouge is a warning.")
+          .parameter("face", &P::face, partFace(), partFaceHelp)
+          .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
+          .example("blossom simulate plate.ngc --part plate.dxf")
+          .example("blossom simulate foreign.nc --part plate.dxf --tool-diameter 6 --depth 10 --json")
+          .example("blossom simulate plate.ngc part.step --face 4")
+          .example(
+              "blossom simulate plate.ngc --part part.step --face 4 --setup job.blossom#setup --flute-length 20 "
+              "--stick-out 30 --holder-diameter 40");
+  return withHolder(type).evaluate(simulated);
 }
 
 }  // namespace blossom::pocket

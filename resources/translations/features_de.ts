@@ -375,6 +375,30 @@
         <source>Crossings by vertices</source>
         <translation>Kreuzungen über Ecken</translation>
     </message>
+    <message>
+        <source>Clamps</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Stock x</source>
+        <translation>Rohteil x</translation>
+    </message>
+    <message>
+        <source>Stock y</source>
+        <translation>Rohteil y</translation>
+    </message>
+    <message>
+        <source>Stock z</source>
+        <translation>Rohteil z</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Moves outside travel</source>
+        <translation>Wege außerhalb des Verfahrwegs</translation>
+    </message>
 </context>
 <context>
     <name>Registry</name>
@@ -3665,6 +3689,210 @@
     <message>
         <source>nothing</source>
         <translation>nichts mehr</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>A part in its stock on the machine, with clamps and the work&apos;s zero.</source>
+        <translation>Ein Teil in seinem Rohteil auf der Maschine, mit Spannmitteln und Nullpunkt.</translation>
+    </message>
+    <message>
+        <source>The solid that is to be made, or its outline.</source>
+        <translation>Der Körper, der entstehen soll, oder sein Umriss.</translation>
+    </message>
+    <message>
+        <source>a part to set up</source>
+        <translation>ein Teil zum Aufspannen</translation>
+    </message>
+    <message>
+        <source>A solid that the part is cut from, drawn around it; without one it is a box or a cylinder.</source>
+        <translation>Ein Körper, aus dem das Teil geschnitten wird, um dieses gezeichnet; ohne ihn ein Quader oder Zylinder.</translation>
+    </message>
+    <message>
+        <source>a solid that the part is cut from</source>
+        <translation>ein Körper, aus dem das Teil geschnitten wird</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>z is up, as drawn</source>
+        <translation>z ist oben, wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>The flat face that looks up.</source>
+        <translation>Die ebene Fläche, die nach oben schaut.</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>stock form</source>
+        <translation>Form des Rohteils</translation>
+    </message>
+    <message>
+        <source>The form of the stock.</source>
+        <translation>Die Form des Rohteils.</translation>
+    </message>
+    <message>
+        <source>stock above</source>
+        <translation>Aufmaß oben</translation>
+    </message>
+    <message>
+        <source>stock below</source>
+        <translation>Aufmaß unten</translation>
+    </message>
+    <message>
+        <source>How far the stock reaches beside the part.</source>
+        <translation>Wie weit das Rohteil seitlich über das Teil hinausreicht.</translation>
+    </message>
+    <message>
+        <source>How far the stock reaches above the part.</source>
+        <translation>Wie weit das Rohteil über das Teil hinausreicht.</translation>
+    </message>
+    <message>
+        <source>How far the stock reaches below the part.</source>
+        <translation>Wie weit das Rohteil unter das Teil hinabreicht.</translation>
+    </message>
+    <message>
+        <source>clamps</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Boxes that hold the stock; no part of the tool may touch them.</source>
+        <translation>Quader, die das Rohteil halten; kein Teil des Werkzeugs darf sie berühren.</translation>
+    </message>
+    <message>
+        <source>Its lowest corner, as the part is drawn.</source>
+        <translation>Seine unterste Ecke, wie das Teil gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Its size along x, y and z.</source>
+        <translation>Seine Größe entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>The height of zero: the stock&apos;s top or bottom, or that of the drawing.</source>
+        <translation>Die Höhe des Nullpunkts: Ober- oder Unterseite des Rohteils oder die der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Verfahrweg</translation>
+    </message>
+    <message>
+        <source>How far the machine moves the tool&apos;s tip; 0,0,0: not known.</source>
+        <translation>Wie weit die Maschine die Werkzeugspitze bewegt; 0,0,0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>zero at</source>
+        <translation>Nullpunkt bei</translation>
+    </message>
+    <message>
+        <source>Where the work&apos;s zero lies in the travel, from its lowest corner.</source>
+        <translation>Wo der Nullpunkt im Verfahrweg liegt, von dessen unterster Ecke.</translation>
+    </message>
+    <message>
+        <source>How the part is held: the whole tool is swept against the solid and the clamps, from the work&apos;s zero.</source>
+        <translation>Wie das Teil gespannt ist: Das ganze Werkzeug wird gegen Körper und Spannmittel geführt, vom Nullpunkt aus.</translation>
+    </message>
+    <message>
+        <source>the setup that it runs in</source>
+        <translation>die Aufspannung, in der es läuft</translation>
+    </message>
+    <message>
+        <source>How the part is held: it gives the stock, the zero and the heights, and nothing in it may be hit.</source>
+        <translation>Wie das Teil gespannt ist: Daraus kommen Rohteil, Nullpunkt und Höhen, und nichts darin darf getroffen werden.</translation>
+    </message>
+    <message>
+        <source>the setup that the part is cut in</source>
+        <translation>die Aufspannung, in der das Teil geschnitten wird</translation>
+    </message>
+    <message>
+        <source>flute length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Length of the flutes; 0: the shank and the holder are not checked.</source>
+        <translation>Länge der Schneiden; 0: Schaft und Halter werden nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>shank diameter</source>
+        <translation>Schaftdurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the shank above the flutes; 0: not checked.</source>
+        <translation>Durchmesser des Schafts über den Schneiden; 0: nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>stick out</source>
+        <translation>Auskraglänge</translation>
+    </message>
+    <message>
+        <source>From the tip to the holder; 0: the holder is not checked.</source>
+        <translation>Von der Spitze bis zum Halter; 0: der Halter wird nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>holder diameter</source>
+        <translation>Halterdurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the holder; 0: not checked.</source>
+        <translation>Durchmesser des Halters; 0: nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>holder length</source>
+        <translation>Halterlänge</translation>
+    </message>
+    <message>
+        <source>Length of the holder; 0: without end.</source>
+        <translation>Länge des Halters; 0: ohne Ende.</translation>
+    </message>
+    <message>
+        <source>A medial axis is written in space, the radius of its discs as height; off: flat.</source>
+        <translation>Eine Mittelachse wird räumlich geschrieben, der Radius ihrer Kreise als Höhe; aus: flach.</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Carve</source>
+        <translation>Abtragen</translation>
+    </message>
+    <message>
+        <source>The stock as a program leaves it, or has left it so far.</source>
+        <translation>Das Rohteil, wie ein Programm es zurücklässt oder bis dahin zurückgelassen hat.</translation>
+    </message>
+    <message>
+        <source>A toolpath or a G-code program, from the work&apos;s zero of the setup.</source>
+        <translation>Ein Werkzeugweg oder ein G-Code-Programm, vom Nullpunkt der Aufspannung aus.</translation>
+    </message>
+    <message>
+        <source>a program to watch</source>
+        <translation>ein Programm zum Zusehen</translation>
+    </message>
+    <message>
+        <source>The stock, and where it stands.</source>
+        <translation>Das Rohteil, und wo es steht.</translation>
+    </message>
+    <message>
+        <source>How far the program has gone, as a share of its time.</source>
+        <translation>Wie weit das Programm gelaufen ist, als Anteil seiner Zeit.</translation>
+    </message>
+    <message>
+        <source>Number of shapes of a sequence from the whole stock on; 0 makes only the last one.</source>
+        <translation>Anzahl der Formen einer Folge vom ganzen Rohteil an; 0 macht nur die letzte.</translation>
+    </message>
+    <message>
+        <source>How many cells the stock is divided into, seen from above.</source>
+        <translation>In wie viele Zellen das Rohteil geteilt wird, von oben gesehen.</translation>
     </message>
 </context>
 <context>

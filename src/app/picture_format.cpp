@@ -122,8 +122,9 @@ Format pngFormat() {
   png.write = writePicture;
   png.frameWriter = pictureOfEachFrame;
   png.inOneFile = [](const Value& options) { return sheetCells(options) > 0; };
-  png.writes = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve,      ShapeKind::Surface,  ShapeKind::Brep,
-                ShapeKind::Mesh,   ShapeKind::Motion, ShapeKind::MedialAxis, ShapeKind::Toolpath, ShapeKind::Sequence};
+  png.writes = {ShapeKind::Region,   ShapeKind::Curves, ShapeKind::Curve,   ShapeKind::Surface,
+                ShapeKind::Brep,     ShapeKind::Mesh,   ShapeKind::Motion,  ShapeKind::MedialAxis,
+                ShapeKind::Toolpath, ShapeKind::Setup,  ShapeKind::Sequence};
   return png;
 }
 

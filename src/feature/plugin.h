@@ -41,7 +41,7 @@ constexpr std::uint32_t layoutNumber() {
 inline constexpr std::uint32_t pluginLayout =
     layoutNumber<Registry, FeatureType, InputSpec, ChoiceByOutput, InputByFlags, ParameterSpec, Evaluated, Measure, Inputs,
                  Format, Imported, Shape, Shape::Value, Value, Progress, CancelToken, Region, Curves, Curve, Surface, Brep,
-                 Mesh, Motion, Sequence, MedialAxis, Toolpath>();
+                 Mesh, Motion, Sequence, MedialAxis, Toolpath, Setup>();
 
 /// Content of plugin.json, which is read before any module is loaded.
 struct PluginManifest {

@@ -17,11 +17,7 @@
 
 namespace blossom {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Rows of the 3x4 matrix; null for the identity, which must stay one: a shape moved by a matrix of ones is another shape.
+// The identity must stay one: a shape moved by a matrix of ones is another shape.
 Value locationValue(const gp_Trsf& location) {
   if (location.Form() == gp_Identity) return {};
   Value rows = Value::array();
@@ -37,6 +33,10 @@ gp_Trsf toLocation(const Value& v) {
                      v.at(11));
   return location;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Collects the parts, each before its users, and their shapes.
 class Saver {

@@ -14,4 +14,8 @@ Value saveBrep(const Brep&, const std::filesystem::path& folder, const std::stri
 /// @throws Error Internal when the file is not what saveBrep writes.
 Brep loadBrep(const Value&, const std::filesystem::path& folder);
 
+/// Rows of the 3x4 matrix; null for the identity.
+Value locationValue(const gp_Trsf&);
+gp_Trsf toLocation(const Value&);
+
 }  // namespace blossom

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "transport/brep_transport.h"
 #include "transport/mesh_transport.h"
+#include "transport/numbers.h"
 #include "transport/path_transport.h"
 #include "transport/planar_transport.h"
 #include "transport/spline_transport.h"
@@ -13,18 +14,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Value saveShapes(const std::vector<Shape>& shapes, const fs::path& folder, const std::string& name) {
+  Value all = Value::array();
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    all.push_back(saveShape(shapes[i], folder, name + "-" + std::to_string(i)));
+  return all;
+}
+
+std::vector<Shape> loadShapes(const Value& all, const fs::path& folder) {
+  std::vector<Shape> shapes;
+  for (const Value& each : all) shapes.push_back(loadShape(each, folder));
+  return shapes;
+}
+
 Value saveSequence(const Sequence& sequence, const fs::path& folder, const std::string& name) {
-  Value frames = Value::array();
-  for (std::size_t k = 0; k < sequence.frames.size(); ++k)
-    frames.push_back(saveShape(sequence.frames[k], folder, name + "-" + std::to_string(k)));
-  return {{"frames", std::move(frames)}, {"times", sequence.times}};
+  return {{"frames", saveShapes(sequence.frames, folder, name)}, {"times", sequence.times}};
 }
 
 Sequence loadSequence(const Value& value, const fs::path& folder) {
-  Sequence sequence;
-  for (const Value& frame : value.at("frames")) sequence.frames.push_back(loadShape(frame, folder));
-  sequence.times = value.at("times").get<std::vector<double>>();
-  return sequence;
+  return {loadShapes(value.at("frames"), folder), value.at("times").get<std::vector<double>>()};
+}
+
+Value saveSetup(const Setup& setup, const fs::path& folder, const std::string& name) {
+  Value clamps = Value::array();
+  for (const Bounds& clamp : setup.clamps) clamps.push_back(boundsValue(clamp));
+  return {{"part", saveShapes(setup.part, folder, name + "-part")},
+          {"stock", saveShapes(setup.stock, folder, name + "-stock")},
+          {"clamps", std::move(clamps)},
+          {"travel", boundsValue(setup.travel)},
+          {"drawing", locationValue(setup.drawing)}};
+}
+
+Setup loadSetup(const Value& v, const fs::path& folder) {
+  Setup setup;
+  setup.part = loadShapes(v.at("part"), folder);
+  setup.stock = loadShapes(v.at("stock"), folder);
+  for (const Value& clamp : v.at("clamps")) setup.clamps.push_back(toBounds(clamp));
+  setup.travel = toBounds(v.at("travel"));
+  setup.drawing = toLocation(v.at("drawing"));
+  return setup;
 }
 
 Value curvesValue(const Curves& curves) {
@@ -50,6 +78,7 @@ Value saveShape(const Shape& shape, const fs::path& folder, const std::string& n
   if (const auto* axis = shape.get<MedialAxis>()) return {{"medial_axis", saveMedialAxis(*axis, folder, name)}};
   if (const auto* path = shape.get<Toolpath>(); path && !path->gougeOf)
     return {{"toolpath", saveToolpath(*path, folder, name)}};
+  if (const auto* setup = shape.get<Setup>()) return {{"setup", saveSetup(*setup, folder, name)}};
   throw Error(ErrorCode::InvalidInput, "A " + std::string(shapeKindName(shape.kind())) + " cannot be used here.");
 }
 
@@ -66,6 +95,7 @@ Shape loadShape(const Value& value, const fs::path& folder) {
   if (kind == "mesh") return loadMesh(v, folder);
   if (kind == "medial_axis") return loadMedialAxis(v, folder);
   if (kind == "toolpath") return loadToolpath(v, folder);
+  if (kind == "setup") return loadSetup(v, folder);
   return loadBrep(v, folder);
 }
 

@@ -32,6 +32,7 @@ class PocketWindowTest : public WindowFixture {
   void theSavedProgramIsSimulated();
   void aToolThatDoesNotFitIsRefusedAndTheDocumentLivesOn();
   void rapidsPlungesAndFeedsAreToldApart();
+  void aClampThatIsMovedIntoTheWayIsTold();
   void picturesOfThePocket();
 
  private:
@@ -168,10 +169,27 @@ void PocketWindowTest::rapidsPlungesAndFeedsAreToldApart() {
     QVERIFY(std::any_of(path.moves.begin(), path.moves.end(), [&](const ToolMove& m) { return m.kind == kind; }));
 }
 
+/// The document lives on, and undo brings the toolpath back.
+void PocketWindowTest::aClampThatIsMovedIntoTheWayIsTold() {
+  openAndWait(QString::fromStdString(test::sample("clamped-block.blossom").string()));
+  pocket_ = last();
+  QVERIFY(!toolpath(pocket_).moves.empty());
+  Feature setup = window_->page().document().at("setup-1");
+  setup.parameters["clamps"][0]["corner"] = {30, 15, 18};
+  window_->session().commit(window_->page().document().with(setup), QStringLiteral("Move a clamp"));
+  waitUntilComputed();
+  const auto error = window_->session().view(pocket_)->result->error;
+  QVERIFY(error);
+  QVERIFY2(error->message().find("clamp 1") != std::string::npos, error->message().c_str());
+  run("edit.undo");
+  waitUntilComputed();
+  QVERIFY(!window_->session().view(pocket_)->result->error);
+}
+
 void PocketWindowTest::picturesOfThePocket() {
   window_->resize(1280, 800);
   takePictures("pocket-of-import");
-  for (const char* name : {"pocket-cover", "pocket-sign"}) {
+  for (const char* name : {"pocket-cover", "pocket-sign", "clamped-block"}) {
     openAndWait(QString::fromStdString(test::sample(name + std::string(".blossom")).string()));
     pocket_ = last();
     takePictures(name);

@@ -1,5 +1,6 @@
 #include <QFile>
 #include <QTemporaryDir>
+#include <cmath>
 #include <numbers>
 
 #include "exchange/format/format.h"
@@ -289,8 +290,36 @@ class PocketCliTest : public QObject {
     QCOMPARE(blossom({"text", "--text.height", "3"}).code, 2);  // where it is the command itself, its flags are plain
   }
 
+  /// Of a rectangle: its middle line, and four edges that rise as they go in.
+  void medialAxesAreWrittenInSpace() {
+    write("bar.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 60 40' width='60mm' height='40mm'><path d='M0 "
+          "0H60V40H0Z'/></svg>");
+    const double inSpace = 20 + 4 * 20 * std::sqrt(3.0), flat = 20 + 4 * 20 * std::sqrt(2.0);
+    for (const char* file : {"axis.step", "axis.brep", "axis.iges"}) {
+      QCOMPARE(blossom({"medial-axis", "bar.svg", "-o", file}).code, 0);
+      COMPARE_NEAR(blossom({"info", file}).result("length"), inSpace, 1e-9);
+    }
+    QCOMPARE(blossom({"medial-axis", "bar.svg", "--step.no-heights", "-o", "flat.step"}).code, 0);
+    COMPARE_NEAR(blossom({"info", "flat.step"}).result("length"), flat, 1e-9);
+    QCOMPARE(blossom({"medial-axis", "bar.svg", "-o", "flat.dxf"}).code, 0);
+    QVERIFY(read("flat.dxf").find("AcDb3dPolyline") == std::string::npos);
+    QCOMPARE(blossom({"medial-axis", "bar.svg", "--dxf.heights", "-o", "axis.dxf"}).code, 0);
+    QVERIFY(read("axis.dxf").find("AcDb3dPolyline") != std::string::npos);
+    const Value axis = blossom({"medial-axis", "bar.svg"}).json["result"]["axis"];
+    QCOMPARE(axis["vertices"].size(), std::size_t(6));
+    for (const Value& edge : axis["edges"]) {
+      QCOMPARE(edge["feet"].size(), edge["points"].size());
+      for (std::size_t i = 0; i < edge["points"].size(); ++i)
+        for (const Value& foot : edge["feet"][i])
+          COMPARE_NEAR(std::hypot(foot["at"][0].get<double>() - edge["points"][i][0].get<double>(),
+                                  foot["at"][1].get<double>() - edge["points"][i][1].get<double>()),
+                       edge["points"][i][2].get<double>(), 1e-9);
+    }
+  }
+
   void theSamplesHoldTheirPockets() {
-    for (const char* name : {"pocket-cover.blossom", "pocket-sign.blossom"}) {
+    for (const char* name : {"pocket-cover.blossom", "pocket-sign.blossom", "clamped-block.blossom"}) {
       const Answer run = blossom({"run", QString::fromStdString(sample(name).string())});
       QCOMPARE(run.code, 0);
       const Value& last = run.json["features"].back();

@@ -36,6 +36,8 @@ QString iconOfKind(ShapeKind kind) {
       return QStringLiteral("medial-axis");
     case ShapeKind::Toolpath:
       return QStringLiteral("toolpath");
+    case ShapeKind::Setup:
+      return QStringLiteral("setup");
     case ShapeKind::None:
       break;
   }

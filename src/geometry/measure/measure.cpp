@@ -8,6 +8,7 @@
 #include "geometry/measure/measure_parts.h"
 #include "geometry/numeric/gauss.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 
 namespace blossom {
 namespace {
@@ -138,6 +139,17 @@ Measures measureToolpath(const Toolpath& path) {
   return measures;
 }
 
+Measures measureSetup(const Setup& setup) {
+  Bounds box;
+  for (const Shape& stock : setup.stock) box.add(bounds(stock));
+  const Vec3 size = box.high - box.low;
+  return {"setup",
+          {{"stock_x", size.x(), MeasureUnit::Length},
+           {"stock_y", size.y(), MeasureUnit::Length},
+           {"stock_z", size.z(), MeasureUnit::Length},
+           countMeasure("clamps", setup.clamps.size())}};
+}
+
 struct MeasuringVisitor {
   const Progress& progress;
   Measures operator()(std::monostate) const { return {"nothing", {}}; }
@@ -151,6 +163,7 @@ struct MeasuringVisitor {
   Measures operator()(const Sequence& sequence) const { return measureSequence(sequence); }
   Measures operator()(const MedialAxis& axis) const { return measureMedialAxis(axis); }
   Measures operator()(const Toolpath& path) const { return measureToolpath(path); }
+  Measures operator()(const Setup& setup) const { return measureSetup(setup); }
 };
 
 /// JSON would print a figure that is not finite as null.

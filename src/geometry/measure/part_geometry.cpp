@@ -130,6 +130,7 @@ struct PartVisitor {
   }
   PartGeometry operator()(const MedialAxis& axis) const { return (*this)(drawingOf(axis)); }
   PartGeometry operator()(const Toolpath&) const { cannot("a toolpath"); }
+  PartGeometry operator()(const Setup&) const { cannot("a setup"); }
   PartGeometry operator()(const Mesh& mesh) const {
     switch (kind) {
       case SubShapeKind::Face: {

@@ -82,6 +82,13 @@ struct BoundsVisitor {
       for (const Vec3& p : polylineOf(startOf(path, i), path.moves[i], 0.1)) box.add(p);
     return box;
   }
+  Bounds operator()(const Setup& setup) const {
+    Bounds box;
+    for (const auto* shapes : {&setup.part, &setup.stock})
+      for (const Shape& shape : *shapes) box.add(bounds(shape));
+    for (const Bounds& clamp : setup.clamps) box.add(clamp);
+    return box;
+  }
   Bounds operator()(const Sequence& sequence) const {
     Bounds box;
     for (const Shape& frame : sequence.frames) box.add(bounds(frame));

@@ -28,6 +28,8 @@ std::string_view shapeKindName(ShapeKind kind) noexcept {
       return "medial axis";
     case ShapeKind::Toolpath:
       return "toolpath";
+    case ShapeKind::Setup:
+      return "setup";
   }
   return "nothing";
 }

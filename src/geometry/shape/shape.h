@@ -14,11 +14,12 @@
 #include "geometry/shape/brep.h"
 #include "geometry/shape/motion.h"
 #include "geometry/shape/sequence.h"
+#include "geometry/shape/setup.h"
 #include "geometry/shape/toolpath.h"
 
 namespace blossom {
 
-enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath };
+enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath, Setup };
 
 /// The name as users read it: "region", "curves", "surface", ..
 std::string_view shapeKindName(ShapeKind) noexcept;
@@ -27,8 +28,8 @@ std::string_view shapeKindName(ShapeKind) noexcept;
 /// read from any thread.
 class Shape {
  public:
-  using Value =
-      std::variant<std::monostate, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath>;
+  using Value = std::variant<std::monostate, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis,
+                             Toolpath, Setup>;
 
   Shape() = default;
   template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, Shape>>>

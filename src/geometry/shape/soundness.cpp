@@ -86,6 +86,12 @@ struct FlawOf {
     return {};
   }
   std::string operator()(const MedialAxis&) const { return {}; }  // only ever computed
+  std::string operator()(const Setup& setup) const {
+    for (const auto* shapes : {&setup.part, &setup.stock})
+      for (const Shape& shape : *shapes)
+        if (std::string flaw = unsoundness(shape); !flaw.empty()) return flaw;
+    return {};
+  }
   std::string operator()(const Toolpath& path) const {
     if (!path.start.allFinite()) return "its start is not a number";
     for (std::size_t i = 0; i < path.moves.size(); ++i)

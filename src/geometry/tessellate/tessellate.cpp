@@ -78,73 +78,6 @@ Tessellation tessellateMedialAxis(const MedialAxis& axis) {
   return result;
 }
 
-/// Told apart on the dark and on the light canvas: what crosses air, what goes down, what cuts.
-Color colorOf(MoveKind kind) {
-  switch (kind) {
-    case MoveKind::Rapid:
-      return {0.47, 0.53, 0.60};
-    case MoveKind::Plunge:
-      return {0.86, 0.27, 0.36};
-    case MoveKind::Feed:
-      break;
-  }
-  return {0.16, 0.62, 0.56};
-}
-
-Color colorOf(MarkKind kind) {
-  switch (kind) {
-    case MarkKind::Unreachable:
-      return {0.95, 0.62, 0.10};
-    case MarkKind::Left:
-      return {0.30, 0.55, 0.95};
-    case MarkKind::Gouge:
-    case MarkKind::Missed:
-      break;
-  }
-  return {0.93, 0.18, 0.18};
-}
-
-/// The twelve edges of the stock and the cross of the work's zero. They are no moves, so they have no number.
-void addStock(const Bounds& stock, Tessellation& result) {
-  if (stock.empty) return;
-  const auto draw = [&](const Vec3& from, const Vec3& to, const Color& color) {
-    result.edgeIndices.push_back(-1);
-    result.edges.push_back({from, to});
-    result.edgeColors.push_back(color);
-  };
-  const Color wood{0.72, 0.58, 0.36};
-  const auto corner = [&](int i) {
-    return Vec3((i & 1) != 0 ? stock.high.x() : stock.low.x(), (i & 2) != 0 ? stock.high.y() : stock.low.y(),
-                (i & 4) != 0 ? stock.high.z() : stock.low.z());
-  };
-  for (int i = 0; i < 8; ++i)
-    for (const int axis : {1, 2, 4})
-      if ((i & axis) == 0) draw(corner(i), corner(i | axis), wood);
-  const double arm = stock.diagonal() / 20;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 reach = arm * Vec3::Unit(axis);
-    draw(-reach, reach, {0.90, 0.62, 0.15});
-  }
-}
-
-Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progress& progress) {
-  Tessellation result;
-  result.colorsTellKinds = true;
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if (i % 1024 == 0) progress.check();
-    result.edgeIndices.push_back(static_cast<int>(i));
-    result.edges.push_back(polylineOf(startOf(path, i), path.moves[i], chord));
-    result.edgeColors.push_back(colorOf(path.moves[i].kind));
-    result.vertices.push_back(startOf(path, i));
-  }
-  addStock(path.stock, result);
-  for (const ToolMark& mark : path.marks) {
-    result.markers.push_back(mark.at);
-    result.markerColors.push_back(colorOf(mark.kind));
-  }
-  return result;
-}
-
 struct TessellationVisitor {
   const TessellationOptions& options;
   const Progress& progress;
@@ -163,6 +96,7 @@ struct TessellationVisitor {
   Tessellation operator()(const Motion& motion) const { return tessellateCurve(motion.trajectory, options.chord); }
   Tessellation operator()(const MedialAxis& axis) const { return tessellateMedialAxis(axis); }
   Tessellation operator()(const Toolpath& path) const { return tessellateToolpath(path, options.chord, progress); }
+  Tessellation operator()(const Setup& setup) const { return tessellateSetup(setup, options, progress); }
   Tessellation operator()(const Sequence& sequence) const {
     return sequence.frames.empty() ? Tessellation() : tessellate(sequence.frames.back(), options, progress);
   }

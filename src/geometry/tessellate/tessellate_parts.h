@@ -8,6 +8,9 @@ Tessellation tessellateSurface(const Surface&, const TessellationOptions&, const
 Tessellation tessellateBrep(const Brep&, const TessellationOptions&, const Progress&);
 Tessellation tessellateMesh(const Mesh&, const TessellationOptions&, const Progress&);
 Tessellation tessellateRegion(const Region&, const TessellationOptions&, const Progress&);
+Tessellation tessellateToolpath(const Toolpath&, double chord, const Progress&);
+/// The part, the edges of the stock, the clamps and the cross of the work's zero.
+Tessellation tessellateSetup(const Setup&, const TessellationOptions&, const Progress&);
 
 /// Polyline within `chord` of a curve with positive weights, by halving Bézier pieces until their poles are close to the
 /// chord.

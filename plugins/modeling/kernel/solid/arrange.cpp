@@ -136,6 +136,9 @@ class Transformer {
     throw Error(ErrorCode::InvalidInput, "A toolpath cannot be transformed.",
                 "Transform the part, or move the work's zero.");
   }
+  Shape operator()(const Setup&) const {
+    throw Error(ErrorCode::InvalidInput, "A setup cannot be transformed.", "Transform the part, or move the work's zero.");
+  }
   Shape operator()(const Motion&) const {
     throw Error(ErrorCode::InvalidInput, "A motion cannot be transformed.", "Transform the surface that it sweeps.");
   }

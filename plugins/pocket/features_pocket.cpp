@@ -83,6 +83,7 @@ void refuseCollisions(const PocketParameters& p, const Setup& setup, const Toolp
   const SetupFindings found = findingsIn(setup, path, assemblyOf(path.cutter, p), p.tolerance, progress);
   out.stats["collisions"] = found.collisions;
   out.stats["removed_mm3"] = found.removed;
+  out.warnings.insert(out.warnings.end(), found.notes.begin(), found.notes.end());
   if (found.told.empty()) return;
   const bool cutsPart = found.told.front().starts_with("The cutter runs into the part");
   throw Error(ErrorCode::InvalidInput, found.told.front(),

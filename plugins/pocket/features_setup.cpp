@@ -10,8 +10,10 @@
 #include "feature_groups.h"
 #include "geometry/shape/bounds.h"
 #include "geometry/shape/setup.h"
+#include "geometry/tessellate/tessellate.h"
 #include "moved_shape.h"
 #include "part_input.h"
+#include "shape_triangles.h"
 #include "work_zero.h"
 
 namespace blossom::pocket {
@@ -47,14 +49,26 @@ Bounds stockBox(const SetupParameters& p, const Bounds& part) {
               "Say how far the stock reaches below the part (stock below).");
 }
 
-Shape stockOf(const SetupParameters& p, const Bounds& part) {
+/// The largest distance of anything of a shape from an upright axis, for a round stock.
+double reachFrom(const Vec2& axis, const Shape& shape) {
+  const Tessellation drawn = tessellate(shape, {.chord = chordOf(shape)});
+  double most = 0;
+  const auto consider = [&](const Vec3& p) { most = std::max(most, (p.head<2>() - axis).norm()); };
+  for (const Vec3& p : drawn.points) consider(p);
+  for (const auto& edge : drawn.edges)
+    for (const Vec3& p : edge) consider(p);
+  return most;
+}
+
+Shape stockOf(const SetupParameters& p, const Shape& shape) {
+  const Bounds part = bounds(shape);
   const Bounds box = stockBox(p, part);
   const Vec3 size = box.high - box.low;
   if (p.stockForm == StockForm::Box)
     return Brep(BRepPrimAPI_MakeBox(gp_Pnt(box.low.x(), box.low.y(), box.low.z()), size.x(), size.y(), size.z()).Shape(),
                 "Stock");
   const Vec3 middle = box.center();
-  const double radius = (part.high - part.low).head<2>().norm() / 2 + p.stockMargin;
+  const double radius = reachFrom(middle.head<2>(), shape) + p.stockMargin;
   const gp_Ax2 axis(gp_Pnt(middle.x(), middle.y(), box.low.z()), gp::DZ());
   return Brep(BRepPrimAPI_MakeCylinder(axis, radius, size.z()).Shape(), "Stock");
 }
@@ -63,15 +77,36 @@ Vec3 placeIn(const Value& list) {
   return Vec3(list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>());
 }
 
-std::vector<Bounds> clampsOf(const SetupParameters& p) {
+Vec3 movedPlace(const Vec3& at, const gp_Trsf& by) {
+  const gp_Pnt there = gp_Pnt(at.x(), at.y(), at.z()).Transformed(by);
+  return {there.X(), there.Y(), there.Z()};
+}
+
+/// A box as drawn, where the part is turned: its sides must stay upright or level.
+Bounds turnedBox(const Bounds& box, const gp_Trsf& turn, std::size_t number) {
+  Bounds turned;
+  for (int i = 0; i < 8; ++i)
+    turned.add(movedPlace(Vec3((i & 1) != 0 ? box.high.x() : box.low.x(), (i & 2) != 0 ? box.high.y() : box.low.y(),
+                               (i & 4) != 0 ? box.high.z() : box.low.z()),
+                          turn));
+  const double before = (box.high - box.low).prod(), after = (turned.high - turned.low).prod();
+  if (after > before * (1 + 1e-6))
+    throw Error(ErrorCode::InvalidInput, fmt::format("Clamp {} would stand aslant where that face looks up.", number),
+                "Draw the part so that the face that looks up and the clamps are square to each other.");
+  return turned;
+}
+
+std::vector<Bounds> clampsOf(const SetupParameters& p, const gp_Trsf& turn) {
   std::vector<Bounds> clamps;
   for (const Value& record : p.clamps) {
     const Vec3 corner = placeIn(record.at("corner")), size = placeIn(record.at("size"));
     if (!(size.minCoeff() > 0))
       throw Error(ErrorCode::InvalidParameter, fmt::format("Clamp {} has no extent.", clamps.size() + 1),
                   "Give its size along x, y and z, each above 0.");
-    clamps.emplace_back().add(corner);
-    clamps.back().add(Vec3(corner + size));
+    Bounds drawn;
+    drawn.add(corner);
+    drawn.add(Vec3(corner + size));
+    clamps.push_back(turnedBox(drawn, turn, clamps.size() + 1));
   }
   return clamps;
 }
@@ -103,14 +138,14 @@ Evaluated setupOf(const SetupParameters& p, const Inputs& inputs, const Progress
   const gp_Trsf turn = turnedUp(part, p.up);
   const Shape turned = movedShape(part, turn);
   const bool given = !inputs.of(1).empty();
-  const Shape stock = given ? movedShape(inputs.of(1)[0], turn) : stockOf(p, bounds(turned));
+  const Shape stock = given ? movedShape(inputs.of(1)[0], turn) : stockOf(p, turned);
   progress.check();
-  const Vec3 zero = zeroOf(p.zero, p.zeroHeight, bounds(stock));
+  const Vec3 zero = zeroOf(p.zero, p.zeroHeight, bounds(stock), movedPlace(Vec3::Zero(), turn));
   const gp_Trsf toZero = movedBy(-zero);
   Setup setup;
   if (part.kind() == ShapeKind::Brep || part.kind() == ShapeKind::Mesh) setup.part.push_back(movedShape(turned, toZero));
   setup.stock.push_back(movedShape(stock, toZero));
-  for (Bounds clamp : clampsOf(p)) {
+  for (Bounds clamp : clampsOf(p, turn)) {
     clamp.low -= zero;
     clamp.high -= zero;
     setup.clamps.push_back(clamp);

@@ -10,6 +10,7 @@
 #include "kernel/check/simulate.h"
 #include "part_input.h"
 #include "pocket_heights.h"
+#include "pocket_place.h"
 #include "residue_report.h"
 #include "setup_check.h"
 #include "toolpath_place.h"
@@ -42,8 +43,9 @@ void chooseTool(const SimulateParameters& p, Toolpath& path) {
 
 /// Where the part's drawing has its zero, at the part's top, in the work's coordinates: as the program's head tells; else as
 /// it is drawn. A face of a solid keeps its height; where it is a pocket's floor, the top is where the pocket opens.
-Vec3 placeOf(const Toolpath& path, const Part& part, double face) {
+Vec3 placeOf(const Toolpath& path, const Part& part, double face, const Setup* setup) {
   if (path.task) return path.task->zero;
+  if (const auto plane = setup ? planeIn(*setup, part) : std::nullopt) return *plane - Vec3(0, 0, face);
   if (!path.centred) return {0, 0, (part.looksUp ? part.height : part.placing.TranslationPart().Z()) - face};
   const auto [low, high] = boxOf(part.region);
   const Vec2 middle = (low + high) / 2;
@@ -78,6 +80,10 @@ void warnOfWalls(const Toolpath& path, const SimulationResult& result, const Sim
   if (result.allowance > o.tolerance)
     warnings.push_back(fmt::format("{:.3f} mm of the {} mm that were to stay on the walls are cut away{}.", result.allowance,
                                    formatNumber(o.leave), lineText(path, result.allowanceMove)));
+}
+
+void warnOfRapids(const Toolpath& path, const SimulationResult& result, const Vec3& place,
+                  std::vector<std::string>& warnings) {
   if (result.rapidsInStock > 0)
     warnings.push_back(fmt::format("{} rapid{} through material, the first to ({:.2f}, {:.2f}, {:.2f}){}.",
                                    result.rapidsInStock, result.rapidsInStock == 1 ? " runs" : "s run",
@@ -111,13 +117,28 @@ void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
                                    lineText(path, static_cast<std::size_t>(deepest - path.moves.begin()))));
 }
 
-void checkSetup(const SimulateParameters& p, const Setup& setup, Toolpath& path, Evaluated& out, const Progress& progress) {
+/// A program knows where its part lies; the setup does, too.
+void warnOfOtherZero(const Setup& setup, const Part& part, const Toolpath& path, std::vector<std::string>& warnings) {
+  const auto plane = planeIn(setup, part);
+  constexpr double same = 0.005;  // mm
+  if (!path.task || !plane || (path.task->zero - *plane).head<2>().norm() <= same) return;
+  const Vec3& zero = path.task->zero;
+  warnings.push_back(fmt::format(
+      "The program was written for another zero: its part lies at ({:.3f}, {:.3f}), that of the setup at ({:.3f}, "
+      "{:.3f}).",
+      zero.x(), zero.y(), plane->x(), plane->y()));
+}
+
+void checkSetup(const SimulateParameters& p, const Setup& setup, const Part& part, Toolpath& path, Evaluated& out,
+                const Progress& progress) {
+  warnOfOtherZero(setup, part, path, out.warnings);
   SetupFindings found = findingsIn(setup, path, assemblyOf(path.cutter, p), p.tolerance, progress);
   out.stats["collisions"] = found.collisions;
   out.stats["moves_outside_travel"] = found.outside;
   out.stats["removed_mm3"] = found.removed;
   path.marks.insert(path.marks.end(), found.marks.begin(), found.marks.end());
   for (std::string& each : found.told) out.warnings.push_back(std::move(each));
+  for (std::string& each : found.notes) out.warnings.push_back(std::move(each));
 }
 
 Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -128,7 +149,8 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   const PocketHeights heights = path.task ? PocketHeights()
                                           : heightsOf(inputs.of(1)[0], p.face, part,
                                                       {.depth = p.depth, .tolerance = p.tolerance}, ofHeights, progress);
-  const Vec3 place = placeOf(path, part, heights.face);
+  const Setup* setup = inputs.of(2).empty() ? nullptr : inputs.of(2)[0].get<Setup>();
+  const Vec3 place = placeOf(path, part, heights.face, setup);
   const SimulationOptions options = optionsOf(p, path, heights);
   const SimulationResult result = simulate(translated(path, -place), part.region, options, progress.part(0, 0.6));
   path.gouge = result.gouge;
@@ -144,6 +166,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
     out.stats["gouge_at"] = tipText(at);
   }
   warnOfWalls(path, result, options, place, out.warnings);
+  if (!setup) warnOfRapids(path, result, place, out.warnings);  // else the stock tells
   warnOfFloor(path, result, options, place, out.warnings);
   reportResidue(result, place, path, out);
   out.stats["reachable_mm2"] = result.reachable;
@@ -152,7 +175,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   if (path.cutter.cornerRadius > 0) out.stats["ridge_mm"] = result.ridge;
   if (path.blending > 0) out.stats["blending_mm"] = path.blending;
   warnOfMoves(path, out.warnings);
-  if (!inputs.of(2).empty()) checkSetup(p, *inputs.of(2)[0].get<Setup>(), path, out, progress.part(0.6, 1));
+  if (setup) checkSetup(p, *setup, part, path, out, progress.part(0.6, 1));
   if (!result.residue) out.warnings.emplace_back("The residue of V bits is not measured.");
   path.gougeOf = gougeOf(part.region, place, options);
   out.shape = std::move(path);

@@ -44,21 +44,6 @@ Vec3 toWorkZero(const PocketParameters& p, const Part& part, const PocketHeights
   return by;
 }
 
-/// The place of the region's zero in a setup, in which it must not be turned.
-Vec3 planeIn(const Setup& setup, const Part& part) {
-  const gp_Trsf inSetup = setup.drawing.Inverted() * part.placing;
-  constexpr double straight = 1e-9;
-  double turned = 0;
-  for (int row = 1; row <= 3; ++row)
-    for (int column = 1; column <= 3; ++column)
-      turned = std::max(turned, std::abs(inSetup.Value(row, column) - (row == column ? 1 : 0)));
-  if (turned > straight)
-    throw Error(ErrorCode::InvalidInput, "The part does not look up in this setup.",
-                "Choose a face that looks up there, or make a setup with this face up.");
-  const gp_XYZ at = inSetup.TranslationPart();
-  return {at.X(), at.Y(), at.Z()};
-}
-
 /// Moves the z = 0 from which a pocket is cut up by a length.
 void raise(PocketHeights& heights, double by) {
   heights.depth += by;
@@ -74,13 +59,29 @@ void raise(PocketHeights& heights, double by) {
 
 }  // namespace
 
+std::optional<Vec3> planeIn(const Setup& setup, const Part& part) {
+  const gp_Trsf inSetup = setup.drawing.Inverted() * part.placing;
+  constexpr double straight = 1e-9;
+  double turned = 0;
+  for (int row = 1; row <= 3; ++row)
+    for (int column = 1; column <= 3; ++column)
+      turned = std::max(turned, std::abs(inSetup.Value(row, column) - (row == column ? 1 : 0)));
+  if (turned > straight) return std::nullopt;
+  const gp_XYZ at = inSetup.TranslationPart();
+  return Vec3(at.X(), at.Y(), at.Z());
+}
+
 PocketPlace placeOfItsOwn(const PocketParameters& p, const Part& part, const PocketHeights& heights) {
   const Bounds stock = stockOf(p, part.region, heights);
   return {stock, toWorkZero(p, part, heights, stock)};
 }
 
 PocketPlace placeInSetup(const Setup& setup, const Part& part, PocketHeights& heights) {
-  Vec3 toWork = planeIn(setup, part) - Vec3(0, 0, heights.face);
+  const auto plane = planeIn(setup, part);
+  if (!plane)
+    throw Error(ErrorCode::InvalidInput, "The part does not look up in this setup.",
+                "Choose a face that looks up there, or make a setup with this face up.");
+  Vec3 toWork = *plane - Vec3(0, 0, heights.face);
   Bounds stock, all;
   for (const Shape& each : setup.stock) stock.add(bounds(each));
   all.add(bounds(setup));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/error.h"
+#include "core/units.h"
 #include "geometry/shape/bounds.h"
 #include "geometry/shape/shape.h"
 #include "kernel/setup/collision.h"
@@ -53,9 +55,11 @@ class SetupChecker {
   }
 
   void carveStock(const Shape& solid, const Progress& progress) {
-    constexpr std::size_t cells = 250'000;
     constexpr double allowed = 0.02;  // mm
-    StockField stock(bounds(solid), cells);
+    StockField stock(bounds(solid), cellsFor(bounds(solid)));
+    if (path_.cutter.diameter <= 2 * stock.cell())
+      findings_.notes.push_back(fmt::format(
+          "Rapids through the stock are not looked for: the cutter is thinner than two cells of {:.2f} mm.", stock.cell()));
     stock.lowerTo(trianglesOf(solid, progress));
     const double before = stock.volume();
     const auto found = carve(stock, path_, tool_, allowed, progress);
@@ -70,11 +74,11 @@ class SetupChecker {
 
   void compareWith(const Bounds& travel) {
     if (travel.empty) return;
-    constexpr double within = 1e-6;
+    constexpr double within = 1e-6, chordOfTravel = 0.005;
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       Bounds box;
-      for (const Vec3& at : polylineOf(startOf(path_, i), path_.moves[i], obstacleChord)) box.add(at);
+      for (const Vec3& at : polylineOf(startOf(path_, i), path_.moves[i], chordOfTravel)) box.add(at);
       const bool isInside =
           ((box.low - travel.low).array() > -within).all() && ((travel.high - box.high).array() > -within).all();
       if (isInside) continue;
@@ -108,6 +112,14 @@ class SetupChecker {
     }
   }
 
+  /// So many that six cells go across the cutter, where that is not too many.
+  [[nodiscard]] std::size_t cellsFor(const Bounds& stock) const {
+    constexpr double fewest = 250'000, most = 4'000'000;
+    const Vec3 size = stock.high - stock.low;
+    const double wanted = 36 * size.x() * size.y() / (path_.cutter.diameter * path_.cutter.diameter);
+    return static_cast<std::size_t>(std::clamp(wanted, fewest, most));
+  }
+
   void mark(const Vec3& at, std::size_t move) {
     if (findings_.marks.size() < mostMarks) findings_.marks.push_back({at, MarkKind::Gouge});
     moves_.push_back(move);
@@ -125,18 +137,44 @@ ToolAssembly assemblyOf(const Cutter& cutter, const HolderParameters& p) {
   return {cutter, p.fluteLength, p.shankDiameter, p.stickOut, p.holderDiameter, p.holderLength};
 }
 
+namespace {
+
+/// A holder cannot be where the flutes are.
+void refuseContradiction(const ToolAssembly& tool) {
+  if (tool.stickOut > 0 && tool.fluteLength > tool.stickOut)
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("The tool sticks out by {} mm, and its flutes are {} mm long.", formatNumber(tool.stickOut),
+                            formatNumber(tool.fluteLength)),
+                "The stick-out goes from the tip to the holder: give at least the length of the flutes.");
+}
+
+std::vector<std::string> leftOut(const ToolAssembly& tool) {
+  std::vector<std::string> notes;
+  if (tool.shankDiameter > 0 && tool.fluteLength == 0)
+    notes.emplace_back("The shank is not looked at: the length of the flutes is not given.");
+  if (tool.holderDiameter > 0 && tool.stickOut == 0)
+    notes.emplace_back("The holder is not looked at: it is not given how far the tool sticks out.");
+  return notes;
+}
+
+}  // namespace
+
 SetupFindings findingsIn(const Setup& setup, const Toolpath& path, const ToolAssembly& tool, double allowed,
                          const Progress& progress) {
+  refuseContradiction(tool);
   SetupChecker checker(path, tool);
   for (const Shape& part : setup.part)
-    checker.sweep("the part", trianglesOf(part, progress), allowed + 2 * obstacleChord + path.blending,
-                  progress.part(0, 0.5));
+    checker.sweep("the part", trianglesOf(part, progress), allowed + 2 * chordOf(part), progress.part(0, 0.5));
   for (const Shape& stock : setup.stock) checker.carveStock(stock, progress.part(0.5, 0.7));
   for (std::size_t i = 0; i < setup.clamps.size(); ++i)
     checker.sweep(fmt::format("clamp {}", i + 1), trianglesOf(setup.clamps[i]), clampsMayBe,
                   progress.part(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(setup.clamps.size()), 1));
   checker.compareWith(setup.travel);
-  return checker.result();
+  SetupFindings findings = checker.result();
+  for (std::string& note : leftOut(tool)) findings.notes.push_back(std::move(note));
+  if (findings.removed == 0)
+    findings.notes.emplace_back("The program cuts nothing of the stock: is its zero that of the setup?");
+  return findings;
 }
 
 }  // namespace blossom::pocket

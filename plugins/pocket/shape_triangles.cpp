@@ -1,13 +1,20 @@
 #include "shape_triangles.h"
 
+#include <algorithm>
 #include <array>
 
+#include "geometry/shape/bounds.h"
 #include "geometry/tessellate/tessellate.h"
 
 namespace blossom::pocket {
 
+double chordOf(const Shape& shape) {
+  constexpr double finest = 0.005, coarsest = 0.05, shareOfSize = 1.0 / 20'000;
+  return std::clamp(bounds(shape).diagonal() * shareOfSize, finest, coarsest);
+}
+
 Triangles trianglesOf(const Shape& shape, const Progress& progress) {
-  const Tessellation mesh = tessellate(shape, {.chord = obstacleChord}, progress);
+  const Tessellation mesh = tessellate(shape, {.chord = chordOf(shape)}, progress);
   Triangles triangles;
   triangles.reserve(mesh.triangles.size());
   for (const auto& t : mesh.triangles)

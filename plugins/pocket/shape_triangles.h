@@ -5,8 +5,8 @@
 
 namespace blossom::pocket {
 
-/// mm, of the triangles of a solid that tools are compared with.
-inline constexpr double obstacleChord = 0.005;
+/// mm, of the triangles of a solid that tools are compared with: more for a large one.
+double chordOf(const Shape&);
 
 Triangles trianglesOf(const Shape&, const Progress&);
 Triangles trianglesOf(const Bounds&);

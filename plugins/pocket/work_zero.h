@@ -9,9 +9,9 @@ enum class Zero { Drawing, Corner, Center };
 /// Its height: the stock's top or bottom, or that of the drawing.
 enum class ZeroHeight { Top, Bottom, Drawing };
 
-/// The place of the work's zero in the coordinates of the stock.
-inline Vec3 zeroOf(Zero zero, ZeroHeight height, const Bounds& stock) {
-  Vec3 at = Vec3::Zero();
+/// The place of the work's zero in the coordinates of the stock. @param drawing the place of the drawing's zero
+inline Vec3 zeroOf(Zero zero, ZeroHeight height, const Bounds& stock, const Vec3& drawing = Vec3::Zero()) {
+  Vec3 at = drawing;
   if (zero == Zero::Corner) at.head<2>() = stock.low.head<2>();
   if (zero == Zero::Center) at.head<2>() = stock.center().head<2>();
   if (height == ZeroHeight::Top) at.z() = stock.high.z();

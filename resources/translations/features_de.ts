@@ -3815,8 +3815,8 @@
         <translation>Schneidenlänge</translation>
     </message>
     <message>
-        <source>Length of the flutes; 0: the shank and the holder are not checked.</source>
-        <translation>Länge der Schneiden; 0: Schaft und Halter werden nicht geprüft.</translation>
+        <source>Length of the flutes; 0: the shank is not checked.</source>
+        <translation>Länge der Schneiden; 0: der Schaft wird nicht geprüft.</translation>
     </message>
     <message>
         <source>shank diameter</source>

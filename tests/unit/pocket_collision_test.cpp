@@ -70,17 +70,42 @@ class PocketCollisionTest final : public QObject {
   void theStagesOfAToolStandOnEachOther() {
     const ToolAssembly tool{{6, 1, 0, 1, 0}, 20, 8, 40, 30, 50};
     const auto stages = stagesOf(tool, 0);
-    QCOMPARE(stages.size(), std::size_t(3));
+    QCOMPARE(stages.size(), std::size_t(4));
     COMPARE_NEAR(stages[0].low(), 0, 1e-12);
     COMPARE_NEAR(stages[0].reach(), 3, 1e-12);
-    COMPARE_NEAR(stages[1].low(), 20, 1e-12);
-    COMPARE_NEAR(stages[2].low(), 40, 1e-12);
-    COMPARE_NEAR(stages[2].high(), 90, 1e-12);
+    COMPARE_NEAR(stages[1].low(), 1, 1e-12);
+    COMPARE_NEAR(stages[1].reach(), 3, 1e-12);
+    COMPARE_NEAR(stages[1].high(), 20, 1e-12);
+    COMPARE_NEAR(stages[2].low(), 20, 1e-12);
+    COMPARE_NEAR(stages[3].low(), 40, 1e-12);
+    COMPARE_NEAR(stages[3].high(), 90, 1e-12);
     for (const ToolStage& stage : stagesOf(tool, 0.25)) QVERIFY(stage.reach() < 15);
     COMPARE_NEAR(stagesOf(tool, 0.25)[0].low(), 0.25, 1e-12);
-    COMPARE_NEAR(stagesOf(tool, 0.25)[2].reach(), 14.75, 1e-12);
+    COMPARE_NEAR(stagesOf(tool, 0.25)[3].reach(), 14.75, 1e-12);
   }
-  void whatIsNotKnownIsNotChecked() { QCOMPARE(stagesOf({{6, 0, 0, 1, 0}, 0, 8, 40, 30, 50}, 0).size(), std::size_t(1)); }
+  /// Without the length of the flutes nobody knows where the shank begins; the holder is where it is.
+  void whatIsNotKnownIsNotChecked() {
+    const auto stages = stagesOf({{6, 0, 0, 1, 0}, 0, 8, 40, 30, 50}, 0);
+    QCOMPARE(stages.size(), std::size_t(2));
+    QVERIFY(stages[1].part == ToolPart::Holder);
+  }
+  /// However short the flutes are: a ball as long as wide still cuts.
+  void roundCuttersKeepTheirFlutes() {
+    for (const double flutes : {3.0, 6.0, 6.1, 20.0}) {
+      const ToolAssembly ball{{6, 3, 0, 1, 0}, flutes};
+      const auto told = [&](double y) {
+        return collisionsOf(pathOf({-20, y, 0}, {to({20, y, 0})}), ball, Obstacles(boxTriangles({-1, 0, 0}, {1, 1, 40})),
+                            {0.01});
+      };
+      QCOMPARE(told(3.9).size(), std::size_t(1));  // as wide as its diameter at the height of its middle
+      QVERIFY(told(4.05).empty());
+    }
+  }
+  void aToleranceLargerThanTheCutterIsRefused() {
+    const Obstacles block(boxTriangles({0, 0, 0}, {10, 10, 10}));
+    VERIFY_ERROR(collisionsOf(pathOf({-20, 5, 1}, {to({20, 5, 1})}), {{6, 0, 0, 1, 0}}, block, {3}),
+                 ErrorCode::InvalidParameter);
+  }
   /// Flat, bull, ball and V: closed forms.
   void thePointsOfACutterAreAsFarAsTheyShouldBe() {
     const ToolStage flat = stagesOf({{6, 0, 0, 1, 0}}, 0)[0];
@@ -103,7 +128,8 @@ class PocketCollisionTest final : public QObject {
     const std::vector<ToolAssembly> tools{
         {{6, 0, 0, 1, 0}, 10}, {{6, 1, 0, 1, 0}, 10}, {{6, 3, 0, 1, 0}, 10}, {{6, 0, std::numbers::pi / 3, 1, 0}, 10}};
     for (int i = 0; i < 400; ++i) {
-      const ToolStage stage = stagesOf(tools[static_cast<std::size_t>(i) % tools.size()], 0)[0];
+      const auto stages = stagesOf(tools[static_cast<std::size_t>(i) % tools.size()], 0);
+      const ToolStage& stage = stages[static_cast<std::size_t>(i / 7) % stages.size()];
       const Vec3 middle(place(random), place(random), place(random));
       Triangle triangle;
       for (Vec3& corner : triangle) corner = middle + size(random) / 12 * Vec3(place(random), place(random), place(random));
@@ -179,6 +205,16 @@ class PocketCollisionTest final : public QObject {
                 .empty());
     QCOMPARE(collisionsOf(pathOf({-25, 0.01, 0}, {to({25, 0.01, 0})}), {{6, 0, 0, 1, 0}}, walls, {0.001}).size(),
              std::size_t(1));
+  }
+  /// Just as deep as is allowed, to and fro along a wall: told or not, but at once.
+  void waysAlongWhatIsAllowedAreNoTrouble() {
+    const Obstacles walls(boxTriangles({-30, 3, -10}, {30, 8, 10}));
+    for (const double beyond : {-1e-7, -1e-9, 0.0, 1e-9, 1e-7}) {
+      std::vector<ToolMove> moves;
+      for (int k = 0; k < 200; ++k) moves.push_back(to({k % 2 == 0 ? 25.0 : -25.0, 0.001 + beyond, 0}));
+      const auto found = collisionsOf(pathOf({-25, 0.001 + beyond, 0}, moves), {{6, 0, 0, 1, 0}}, walls, {0.001});
+      QVERIFY(found.empty() || found.size() == moves.size());
+    }
   }
 };
 

@@ -167,6 +167,74 @@ class PocketSetupTest final : public QObject {
     QVERIFY(tells(told, "line 79"));
     QVERIFY(statOf(told, "collisions") >= 1);
   }
+  /// Named or not, the face on top is on top: clamps and zero stay where they were drawn.
+  void theTopAsTheFaceThatLooksUpChangesNothing() {
+    const Shape solid = blockWithPocket();
+    Value values{{"clamps", {clampAt({-15, 10, 5}, {15, 20, 20})}}, {"zero", "drawing"}, {"zero-height", "drawing"}};
+    const Setup plain = setupIn(made("setup", values, {solid}));
+    values["up"] = pocketFloor(solid);
+    const Setup named = setupIn(made("setup", values, {solid}));
+    verifyBox(boundsOf(named.part), boundsOf(plain.part).low, boundsOf(plain.part).high);
+    verifyBox(boundsOf(named.stock), boundsOf(plain.stock).low, boundsOf(plain.stock).high);
+    verifyBox(named.clamps[0], plain.clamps[0].low, plain.clamps[0].high);
+    // On its side, the clamp lies with it.
+    values["up"] = pocketOnFace(faceWithin(solid, {0, 0, 0}, {0, 40, 20}));
+    const Setup turned = setupIn(made("setup", values, {solid}));
+    COMPARE_NEAR(turned.clamps[0].low.z(), boundsOf(turned.part).high.z(), 1e-6);
+    COMPARE_NEAR((turned.clamps[0].high - turned.clamps[0].low).prod(), 15 * 20 * 20, 1e-6);
+  }
+  void aRoundStockStandsRoundARoundPart() {
+    const Shape disc = made("cylinder", {{"radius", 25}, {"height", 10}}).shape;
+    const Evaluated setup = made("setup", {{"stock-form", "cylinder"}, {"stock-margin", 2}}, {disc});
+    COMPARE_NEAR(figure(setup.shape, "stock_x"), 54, 0.02);
+  }
+  /// Rounded corners come nearer to walls, not less near.
+  void blendingAllowsNothing() {
+    const Shape solid = blockWithPocket();
+    const Evaluated setup = made("setup", Value::object(), {solid});
+    Toolpath path =
+        *made("pocket", {{"face", pocketFloor(solid)}, {"tool-diameter", 6}}, {solid, setup.shape}).shape.get<Toolpath>();
+    path.blending = 4;
+    path.moves.push_back({MoveKind::Feed, {30, 25, -9}, 0, {0, 0}, 100, 0});
+    path.moves.push_back({MoveKind::Feed, {53, 25, -9}, 0, {0, 0}, 100, 0});
+    QVERIFY(tells(made("simulate", {{"face", pocketFloor(solid)}}, {path, solid, setup.shape}),
+                  "The cutter runs into the part"));
+  }
+  void whatIsNotLookedAtIsTold() {
+    const Shape solid = blockWithPocket();
+    const Evaluated setup = made("setup", Value::object(), {solid});
+    const Toolpath path =
+        *made("pocket", {{"face", pocketFloor(solid)}, {"tool-diameter", 6}}, {solid, setup.shape}).shape.get<Toolpath>();
+    const auto simulated = [&](Value values, const Toolpath& program, const Shape& held) {
+      values["face"] = pocketFloor(solid);
+      return made("simulate", values, {program, solid, held});
+    };
+    QVERIFY(tells(simulated({{"shank-diameter", 8}}, path, setup.shape), "The shank is not looked at"));
+    QVERIFY(tells(simulated({{"holder-diameter", 40}}, path, setup.shape), "The holder is not looked at"));
+    QVERIFY(tells(simulated({{"holder-diameter", 40}, {"stick-out", 8}}, path, setup.shape), "The holder runs into"));
+    VERIFY_ERROR(simulated({{"stick-out", 8}, {"flute-length", 9}}, path, setup.shape), ErrorCode::InvalidParameter);
+    const Evaluated other = made("setup", {{"zero", "center"}}, {solid});
+    QVERIFY(tells(simulated(Value::object(), path, other.shape), "written for another zero"));
+    Toolpath aside = path;
+    for (ToolMove& move : aside.moves) {
+      move.to.x() += 200;
+      move.center.x() += 200;
+    }
+    aside.start.x() += 200;
+    QVERIFY(tells(simulated(Value::object(), aside, setup.shape), "cuts nothing of the stock"));
+  }
+  /// A program that tells nothing of its part lies where the setup says.
+  void foreignProgramsAreMeasuredInTheSetup() {
+    const Shape solid = blockWithPocket();
+    const Evaluated setup = made("setup", {{"stock-above", 2}}, {solid});
+    Toolpath path =
+        *made("pocket", {{"face", pocketFloor(solid)}, {"tool-diameter", 6}}, {solid, setup.shape}).shape.get<Toolpath>();
+    path.task.reset();
+    const Evaluated swept = made("simulate", {{"face", pocketFloor(solid)}}, {path, solid, setup.shape});
+    COMPARE_NEAR(figure(swept.shape, "gouge_mm"), 0, 1e-6);
+    QVERIFY(!tells(swept, "through material"));
+    QCOMPARE(statOf(swept, "collisions"), 0);
+  }
   void whatIsRemovedIsTold() {
     const Shape solid = blockWithPocket();
     const Evaluated setup = made("setup", {{"stock-above", 1}}, {solid});

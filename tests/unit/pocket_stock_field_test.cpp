@@ -160,6 +160,10 @@ class PocketStockFieldTest final : public QObject {
       return carve(field, programOf(tool.cutter, {10, 20, 5}, {down, along}), tool, 0.02, Progress::none());
     };
     QVERIFY(told(9, 20).empty());
+    // A thinner shank follows the flutes down: it touches nothing on the way.
+    StockField field(slab(), 50'000);
+    const ToolAssembly thin{{6, 0, 0, 1, 0}, 3, 5, 40, 0, 0};
+    QVERIFY(carve(field, programOf(thin.cutter, {10, 20, 5}, {down}), thin, 0.02, Progress::none()).empty());
     const auto shank = told(6, 20);
     QVERIFY(!shank.empty());
     QCOMPARE(shank[0].part, ToolPart::Shank);

@@ -30,9 +30,11 @@ class Approach {
   }
 
  private:
+  /// 0 where they touch.
   [[nodiscard]] double at(double share) const {
     const Vec3 tip = from_ + share * along_;
-    return distanceTo(stage_, {triangle_[0] - tip, triangle_[1] - tip, triangle_[2] - tip});
+    const double distance = distanceTo(stage_, {triangle_[0] - tip, triangle_[1] - tip, triangle_[2] - tip});
+    return distance > touching ? distance : 0;
   }
 
   /// The function is above 0 at `a`.
@@ -45,14 +47,15 @@ class Approach {
     if (ofM == 0) return between(a, ofA, m, ofM);
     if (ofB == 0) return between(m, ofM, b, ofB);
     // A convex function lies above its chords continued.
-    const bool isClearBefore = std::min(ofM, 2 * ofM - ofB) > slack;
-    const bool isClearAfter = std::min(ofM, 2 * ofM - ofA) > slack;
+    const bool isClearBefore = std::min(ofM, 2 * ofM - ofB) > 0;
+    const bool isClearAfter = std::min(ofM, 2 * ofM - ofA) > 0;
     if (!isClearBefore)
       if (const auto contact = between(a, ofA, m, ofM)) return contact;
     return isClearAfter ? std::nullopt : between(m, ofM, b, ofB);
   }
 
-  static constexpr double slack = 1e-9;  ///< mm, error of a distance
+  /// mm, above the error of a distance: where a way runs along a surface nothing is gained by looking closer.
+  static constexpr double touching = 1e-6;
   const ToolStage& stage_;
   const std::array<Vec3, 3>& triangle_;
   Vec3 from_, along_;
@@ -76,12 +79,13 @@ class Sweeping {
   }
 
  private:
+  /// Of each part of the tool the first contact of its stages.
   [[nodiscard]] std::vector<Collision> during(std::size_t move) const {
     const std::vector<Vec3> way = polylineOf(startOf(path_, move), path_.moves[move], allowed_ / 4);
     std::vector<Collision> found;
-    for (const ToolStage& stage : stages_) {
+    for (const ToolPart part : {ToolPart::Flutes, ToolPart::Shank, ToolPart::Holder}) {
       std::optional<Collision> hit;
-      for (std::size_t k = 1; k < way.size() && !hit; ++k) hit = firstHit(stage, way[k - 1], way[k]);
+      for (std::size_t k = 1; k < way.size() && !hit; ++k) hit = firstHit(part, way[k - 1], way[k]);
       if (!hit) continue;
       hit->move = move;
       found.push_back(*hit);
@@ -89,11 +93,19 @@ class Sweeping {
     return found;
   }
 
-  [[nodiscard]] std::optional<Collision> firstHit(const ToolStage& stage, const Vec3& from, const Vec3& to) const {
-    Box3 swept(Vec3(-stage.reach(), -stage.reach(), stage.low()), Vec3(stage.reach(), stage.reach(), stage.high()));
-    swept = Box3(swept.min() + from.cwiseMin(to), swept.max() + from.cwiseMax(to));
+  [[nodiscard]] std::optional<Collision> firstHit(ToolPart part, const Vec3& from, const Vec3& to) const {
     std::optional<Collision> first;
     double share = 2;
+    for (const ToolStage& stage : stages_)
+      if (stage.part == part) lookFor(stage, from, to, share, first);
+    return first;
+  }
+
+  /// @param share of the way at the first contact so far, lowered
+  void lookFor(const ToolStage& stage, const Vec3& from, const Vec3& to, double& share,
+               std::optional<Collision>& first) const {
+    Box3 swept(Vec3(-stage.reach(), -stage.reach(), stage.low()), Vec3(stage.reach(), stage.reach(), stage.high()));
+    swept = Box3(swept.min() + from.cwiseMin(to), swept.max() + from.cwiseMax(to));
     obstacles_.tree().meeting(swept, [&](std::size_t item) {
       const auto& triangle = obstacles_.triangles()[item];
       if (!boxOf(triangle).intersects(swept)) return;
@@ -102,7 +114,6 @@ class Sweeping {
       share = *contact;
       first = Collision{0, stage.part, from + share * (to - from), item};
     });
-    return first;
   }
 
   const Toolpath& path_;
@@ -124,6 +135,9 @@ std::vector<Collision> collisionsOf(const Toolpath& path, const ToolAssembly& to
                                     const CollisionOptions& options, const Progress& progress) {
   if (!(options.allowed > 0))
     throw Error(ErrorCode::InvalidParameter, "How deep a tool may enter must be above 0.", "Give the output's resolution.");
+  if (options.allowed >= tool.cutter.diameter / 2)
+    throw Error(ErrorCode::InvalidParameter, "The tolerance is larger than the cutter: nothing would be a collision.",
+                "Give a smaller tolerance.");
   return Sweeping(path, tool, obstacles, options.allowed).run(progress);
 }
 

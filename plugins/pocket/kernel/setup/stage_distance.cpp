@@ -10,16 +10,18 @@ namespace {
 
 /// From a place (radius, height) to the profile, without what is round about it; 0 inside.
 double toProfile(const std::vector<Vec2>& profile, const Vec2& place) {
-  bool inside = place.y() >= profile.front().y() && place.y() <= profile.back().y();
+  double widest = 0;
+  for (const Vec2& corner : profile) widest = std::max(widest, corner.x());
+  // A profile without area, of a disc or a point, has an inside, too.
+  bool inside = place.x() <= widest && place.y() >= profile.front().y() && place.y() <= profile.back().y();
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     const Vec2& from = profile[i];
     const Vec2 along = profile[i + 1] - from;
     const double length = along.squaredNorm();
-    if (length == 0) continue;
     const Vec2 offset = place - from;
     inside = inside && cross(along, offset) >= 0;
-    const double share = std::clamp(offset.dot(along) / length, 0.0, 1.0);
+    const double share = length > 0 ? std::clamp(offset.dot(along) / length, 0.0, 1.0) : 0;
     nearest = std::min(nearest, (offset - share * along).squaredNorm());
   }
   return inside ? 0 : std::sqrt(nearest);

@@ -1,6 +1,7 @@
 #include "kernel/setup/stock_sweep.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace blossom::pocket {
 
@@ -9,7 +10,7 @@ namespace {
 class Carving {
  public:
   Carving(StockField& stock, const Toolpath& path, const ToolAssembly& tool, double allowed)
-      : stock_(stock), path_(path), allowed_(allowed) {
+      : stock_(stock), path_(path), allowed_(allowed), fluteLength_(tool.fluteLength) {
     for (ToolStage& stage : stagesOf(tool, 0))
       if (stage.part != ToolPart::Flutes) carriers_.push_back(std::move(stage));
   }
@@ -24,7 +25,7 @@ class Carving {
 
  private:
   void move(std::size_t number) {
-    const std::vector<Vec3> way = polylineOf(startOf(path_, number), path_.moves[number], stock_.cell() / 4);
+    const std::vector<Vec3> way = steps(polylineOf(startOf(path_, number), path_.moves[number], stock_.cell() / 4));
     const bool isRapid = path_.moves[number].kind == MoveKind::Rapid;
     std::vector<bool> told(carriers_.size(), false);
     bool isCutterTold = false;
@@ -45,9 +46,21 @@ class Carving {
     }
   }
 
+  /// Ways down in pieces over which the flutes have removed what the shank comes to.
+  [[nodiscard]] std::vector<Vec3> steps(const std::vector<Vec3>& way) const {
+    if (fluteLength_ == 0) return way;
+    std::vector<Vec3> finer{way.front()};
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      const double falls = way[k - 1].z() - way[k].z();
+      const int count = std::max(1, static_cast<int>(std::ceil(2 * falls / fluteLength_)));
+      for (int i = 1; i <= count; ++i) finer.emplace_back(way[k - 1] + double(i) / count * (way[k] - way[k - 1]));
+    }
+    return finer;
+  }
+
   StockField& stock_;
   const Toolpath& path_;
-  double allowed_;
+  double allowed_, fluteLength_;
   std::vector<ToolStage> carriers_;
   std::vector<StockHit> hits_;
 };

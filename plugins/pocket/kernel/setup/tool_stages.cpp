@@ -10,15 +10,15 @@ namespace {
 
 constexpr double unknownLength = 1e4;  // mm, above all parts
 
-/// A cylinder whose edges are rounded by `corner`.
-std::optional<ToolStage> cylinder(ToolPart part, double radius, double corner, double low, double high, double inset) {
-  const double round = std::max(0.0, corner - inset);
-  const double smaller = inset + round;
-  if (radius - smaller < 0 || high - low <= 2 * smaller) return std::nullopt;
-  return ToolStage{
-      part,
-      {{0, low + smaller}, {radius - smaller, low + smaller}, {radius - smaller, high - smaller}, {0, high - smaller}},
-      round};
+std::optional<ToolStage> cylinder(ToolPart part, double radius, double low, double high) {
+  if (radius < 0 || high <= low) return std::nullopt;
+  return ToolStage{part, {{0, low}, {radius, low}, {radius, high}, {0, high}}, 0};
+}
+
+/// All within `round` of a flat disc: the end of a ball or bull-nosed cutter.
+ToolStage roundEnd(double radius, double corner, double inset) {
+  const double disc = radius - corner;
+  return {ToolPart::Flutes, {{0, corner}, {disc, corner}, {0, corner}}, corner - inset};
 }
 
 std::optional<ToolStage> cone(double radius, double angle, double high, double inset) {
@@ -42,20 +42,22 @@ std::vector<ToolStage> stagesOf(const ToolAssembly& tool, double inset) {
   const auto add = [&](std::optional<ToolStage> stage) {
     if (stage) stages.push_back(*std::move(stage));
   };
-  const double radius = tool.cutter.diameter / 2;
-  const double flutes = tool.fluteLength > 0 ? tool.fluteLength : unknownLength;
-  if (tool.cutter.vAngle > 0)
-    add(cone(radius, tool.cutter.vAngle, std::max(flutes, 2 * radius / std::tan(tool.cutter.vAngle / 2)), inset));
-  else
-    add(cylinder(ToolPart::Flutes, radius, tool.cutter.cornerRadius, 0, flutes, inset));
-  if (tool.fluteLength == 0) return stages;
-  const double stickOut = std::max(tool.stickOut, tool.fluteLength);
-  if (tool.shankDiameter > 0)
-    add(cylinder(ToolPart::Shank, tool.shankDiameter / 2, 0, tool.fluteLength, tool.stickOut > 0 ? stickOut : unknownLength,
-                 inset));
+  const Cutter& cutter = tool.cutter;
+  const double radius = cutter.diameter / 2;
+  const double holder = tool.stickOut > 0 ? tool.stickOut : unknownLength;
+  const double flutes = tool.fluteLength > 0 ? tool.fluteLength : holder;
+  const bool isRound = cutter.cornerRadius > inset && radius > inset;
+  if (cutter.vAngle > 0) {
+    add(cone(radius, cutter.vAngle, std::max(flutes, 2 * radius / std::tan(cutter.vAngle / 2)), inset));
+  } else {
+    if (isRound) stages.push_back(roundEnd(radius, cutter.cornerRadius, inset));
+    add(cylinder(ToolPart::Flutes, radius - inset, isRound ? cutter.cornerRadius : inset, flutes - inset));
+  }
+  if (tool.fluteLength > 0 && tool.shankDiameter > 0)
+    add(cylinder(ToolPart::Shank, tool.shankDiameter / 2 - inset, flutes + inset, holder - inset));
   if (tool.stickOut > 0 && tool.holderDiameter > 0)
-    add(cylinder(ToolPart::Holder, tool.holderDiameter / 2, 0, stickOut,
-                 stickOut + (tool.holderLength > 0 ? tool.holderLength : unknownLength), inset));
+    add(cylinder(ToolPart::Holder, tool.holderDiameter / 2 - inset, holder + inset,
+                 holder + (tool.holderLength > 0 ? tool.holderLength : unknownLength) - inset));
   return stages;
 }
 

@@ -9,7 +9,7 @@ namespace blossom::pocket {
 /// The parts of a tool, from its tip up. Only the flutes cut.
 enum class ToolPart { Flutes, Shank, Holder };
 
-/// A cutter with what carries it. Lengths in mm; those that are 0 are not known, and then nothing above is checked.
+/// A cutter with what carries it. Lengths in mm, 0: not known.
 struct ToolAssembly {
   Cutter cutter;
   double fluteLength = 0;
@@ -29,7 +29,8 @@ struct ToolStage {
   [[nodiscard]] double high() const { return profile.back().y() + round; }
 };
 
-/// The stages of a tool, each shrunk by `inset` mm on all sides; those that vanish are left out.
+/// The stages of a tool, each shrunk by `inset` mm on all sides; those that vanish are left out. A round end is a stage of
+/// its own. Without a length of the flutes they reach up to the holder.
 std::vector<ToolStage> stagesOf(const ToolAssembly&, double inset);
 
 }  // namespace blossom::pocket

@@ -63,6 +63,12 @@ std::vector<double> controlled(Control control, const Value& curve, std::vector<
   return times;
 }
 
+ParameterSpec ballRadius() {
+  ParameterSpec spec = positiveLength();
+  spec.maximum = 1e9;  // mm from the origin, beyond which no solid is taken
+  return spec;
+}
+
 ParameterSpec controlChoice() { return choice({"linear", "ease", "ease-in", "ease-out", "curve"}); }
 
 ParameterSpec controlCurveSpec() {

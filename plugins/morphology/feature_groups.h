@@ -25,6 +25,8 @@ inline constexpr const char* deviationHelp =
 
 /// 0, 1/(n-1), .., 1.
 std::vector<double> frameTimes(int frames);
+/// Of the ball by which a solid grows or melts.
+ParameterSpec ballRadius();
 
 /// A curve that a user begins with, which leaves t as it is.
 inline Value straightControl() { return Value::array({Value::array({0.0, 0.0}), Value::array({1.0, 1.0})}); }

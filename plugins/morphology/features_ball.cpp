@@ -22,7 +22,7 @@ FeatureType ballFeature() {
   return feature<P>("morphology.ball", "Ball", "A ball of triangles about the origin, to add to a solid or to melt it by.")
       .icon("ball")
       .produces({ShapeKind::Mesh})
-      .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
+      .parameter("radius", &P::radius, ballRadius(), "Radius of the ball.")
       .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
                  "Fineness: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),

@@ -90,7 +90,7 @@ FeatureBuilder<GrowParameters> growth(const GrowTexts& texts) {
   if (texts.canMeltToNothing)
     made.parameter("until", &P::until, choice({"size", "nothing"}),
                    "How far it melts: by the radius or size, or as far as anything is left.");
-  made.parameter("radius", &P::radius, ofBall(untilSize(positiveLength())), texts.radius)
+  made.parameter("radius", &P::radius, ofBall(untilSize(ballRadius())), texts.radius)
       .parameter("size", &P::size, onlyWith(untilSize(positiveNumber()), "element"),
                  "How many times as large as drawn an element is taken.")
       .parameter("frames", &P::frames, count(0, 1000),

@@ -195,7 +195,7 @@ FeatureType roundFeature() {
               .kinds = solidKinds,
               .use = InputUse::Consumed,
               .asks = "a solid to round"})
-      .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
+      .parameter("radius", &P::radius, ballRadius(), "Radius of the ball.")
       .parameter("edges", &P::edges, choice({"convex", "reflex", "both"}),
                  "Which edges are rounded: outer ones, inner ones, or both. Thin walls go with the outer ones, narrow slots "
                  "with the inner ones.")

@@ -1,4 +1,9 @@
+#include <array>
+#include <map>
+#include <set>
+
 #include "support/morphology.h"
+#include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -32,6 +37,36 @@ void verifyWithin(std::mt19937_64& random, const Mesh& inner, const Mesh& outer)
     QVERIFY(contains(b, p));
   }
   QVERIFY(found > 20);
+}
+
+/// The boundary of cubes of size 1 in a lattice.
+Mesh cellsMesh(const std::set<std::array<int, 3>>& cells) {
+  Mesh mesh;
+  std::map<std::array<int, 3>, int> corners;
+  const auto cornerAt = [&](const std::array<int, 3>& at) {
+    const auto [it, isNew] = corners.emplace(at, static_cast<int>(mesh.points.size()));
+    if (isNew) mesh.points.emplace_back(at[0], at[1], at[2]);
+    return it->second;
+  };
+  for (const auto& cell : cells)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1}) {
+        std::array<int, 3> beside = cell;
+        beside[axis] += side == 1 ? 1 : -1;
+        if (cells.contains(beside)) continue;
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        std::vector<int> face;
+        for (const auto& [du, dv] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{1, 1}, std::pair{0, 1}}) {
+          std::array<int, 3> at = cell;
+          at[axis] += side;
+          at[u] += du;
+          at[v] += dv;
+          face.push_back(cornerAt(at));
+        }
+        if (side == 0) std::reverse(face.begin(), face.end());
+        mesh.addFace(face);
+      }
+  return mesh;
 }
 
 }  // namespace
@@ -160,6 +195,19 @@ class MorphologyDifferenceTest : public QObject {
         QCOMPARE(isSaid(solidOpening(solid(width), bodyOf(cube))), isTight);
       }
     }
+    // An arm that ends within the box of what is left, and is joined to it.
+    const auto hooked = [](double width) {
+      return prism({{0, 0}, {18, 0}, {18, width}, {8, width}, {8, 22}, {22, 22}, {22, 0}, {30, 0}, {30, 30}, {0, 30}}, 0,
+                   10);
+    };
+    for (const bool arePrisms : {true, false}) {
+      const auto solid = [&](double width) {
+        return bodyOf(arePrisms ? hooked(width)
+                                : together(hooked(width), movedBy(scaledBy(cornerTetrahedron(), 20), {100, 0, 0})));
+      };
+      for (const double width : {3.0, 3.99, 4.0, 4.01})
+        QCOMPARE(isSaid(solidDifference(solid(width), bodyOf(cube))), width == 4);
+    }
     for (const double size : {4.0, 5.0}) {
       try {
         solidDifferenceOf(cuboid({0, 0, 0}, {4, 9, 9}), cuboid({0, 0, 0}, {size, size, size}));
@@ -168,6 +216,42 @@ class MorphologyDifferenceTest : public QObject {
         QCOMPARE(std::string(error.message()).find("fits exactly") != std::string::npos, size == 4);
       }
     }
+  }
+
+  /// Of cells in whole numbers: what fits exactly lies between places that do not, and is told where it is left out.
+  void exactFitsBetweenOthersAreSaid() {
+    auto random = seededRandom();
+    const Mesh corner = cellsMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    int told = 0, silent = 0;
+    for (int k = 0; k < 12; ++k) {
+      std::set<std::array<int, 3>> cells;
+      for (int x = 0; x < 5; ++x)
+        for (int y = 0; y < 5; ++y)
+          for (int z = 0; z < 4; ++z)
+            if (uniform(random, 0, 1) < (k % 2 == 0 ? 0.9 : 0.98)) cells.insert({x, y, z});
+      // The cells that the corner can reach, and those that it can reach with room on all sides of it.
+      std::set<std::array<int, 3>> reached;
+      const std::array<std::array<int, 3>, 3> parts{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+      for (const auto& at : cells)
+        if (std::all_of(parts.begin(), parts.end(), [&](const auto& p) {
+              return cells.contains({at[0] + p[0], at[1] + p[1], at[2]});
+            }))
+          for (const auto& p : parts) reached.insert({at[0] + p[0], at[1] + p[1], at[2]});
+      MorphologyResult opened;
+      try {
+        opened = solidOpening(bodyOf(cellsMesh(cells)), bodyOf(corner));
+      } catch (const Error& error) {
+        QCOMPARE(error.code(), ErrorCode::Degenerate);  // nothing is left
+        continue;
+      }
+      const bool isLess = volumeOf(opened.solids.front()) < static_cast<double>(reached.size()) - tiny;
+      const bool isTold = std::any_of(opened.warnings.begin(), opened.warnings.end(), [](const std::string& warning) {
+        return warning.find("exactly as wide") != std::string::npos;
+      });
+      if (isLess) QVERIFY(isTold);
+      ++(isTold ? told : silent);
+    }
+    QVERIFY(told > 0);
   }
 
   void nothingLeftIsSaid() {

@@ -61,7 +61,7 @@ Mesh sumOfAny(Work& work, const Prepared& a, double weightA, const Prepared& b, 
   if (isConvex(a) && isConvex(b)) return ConvexSums(a.hull, b.hull, work).sum(weightA, weightB);
   Mesh sum = work.sum(a, weightA, b, weightB, grid, from, to, kept);
   const bool isLess = sum.faceCount() == 0 || (isSolid(a) && isSolid(b) && !reachesAsFar(sum, a, weightA, b, weightB));
-  if (isLess && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b);
+  if (isLess && (a.bodiesMeet || b.bodiesMeet)) refuseTurnedShell(a.bodiesMeet ? a : b, work.progress());
   if (sum.faceCount() == 0 && !isSolid(a) && !isSolid(b))
     throw Error(ErrorCode::Degenerate, "The sum has no volume: both shapes are thin, and in one plane or one line.",
                 "Choose a solid for one of them.");

@@ -59,20 +59,24 @@ Operand scaled(Operand shape, double factor) {
   return shape;
 }
 
+constexpr std::array alternately{0.0, 1e-10, -1e-10, 1e-9, -1e-9, 1e-8, -1e-8};
+/// Of what moves inside of a solid: smaller, it has room where it fits exactly, and a result that is another one.
+constexpr std::array largerFirst{0.0, 1e-10, 1e-9, 1e-8, -1e-10, -1e-9, -1e-8};
+
 /// Where shapes fit exactly, sheets of the result lie on each other but for rounding. When it cannot be written down so, the
 /// second shape is taken imperceptibly larger, which closes such places, or else smaller.
 /// @param operation (second shape, progress) -> MorphologyResult
 template <class Operation>
-MorphologyResult closingTightPlaces(const Operand& b, const Progress& progress, const Operation& operation) {
-  constexpr std::array changes{0.0, 1e-10, -1e-10, 1e-9, -1e-9, 1e-8, -1e-8};
+MorphologyResult closingTightPlaces(const std::array<double, 7>& changes, const Operand& b, const Progress& progress,
+                                    const Operation& operation) {
   for (const double change : changes) {
     try {
       if (change == 0) return operation(b, progress);
       MorphologyResult made = operation(scaled(b, 1 + change), progress);
-      made.warnings.push_back(
-          fmt::format("The second shape has been taken {} by {:.0e} of its size: some places are just as wide as it is, and "
-                      "faces would cross there after rounding.",
-                      change > 0 ? "larger" : "smaller", std::abs(change)));
+      made.warnings.push_back(fmt::format(
+          "The second shape has been taken {} by {:.0e} of its size: some places are just as wide as it is, and "
+          "faces would cross there after rounding.{}",
+          change > 0 ? "larger" : "smaller", std::abs(change), change > 0 ? "" : " Where it just fits, it has room now."));
       return made;
     } catch (const CannotBeRounded&) {
       if (change == changes.back()) throw;
@@ -159,25 +163,25 @@ MorphologyResult plainClosing(const Operand& a, const Operand& b, const Progress
 }  // namespace
 
 MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress) {
-  return closingTightPlaces(b, progress,
+  return closingTightPlaces(alternately, b, progress,
                             [&](const Operand& second, const Progress& part) { return plainSum(a, second, part); });
 }
 
 MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
-  return closingTightPlaces(b, progress,
+  return closingTightPlaces(largerFirst, b, progress,
                             [&](const Operand& second, const Progress& part) { return plainDifference(a, second, part); });
 }
 
 MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
-  return closingTightPlaces(b, progress,
+  return closingTightPlaces(largerFirst, b, progress,
                             [&](const Operand& second, const Progress& part) { return plainOpening(a, second, part); });
 }
 
 MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& progress) {
   requireSolid(a);
-  return closingTightPlaces(b, progress,
+  return closingTightPlaces(alternately, b, progress,
                             [&](const Operand& second, const Progress& part) { return plainClosing(a, second, part); });
 }
 

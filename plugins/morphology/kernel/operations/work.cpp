@@ -7,9 +7,11 @@
 
 #include "core/error.h"
 #include "core/frame_progress.h"
+#include "geometry/mesh/mesh_crossing.h"
 #include "kernel/convex/hull.h"
 #include "kernel/finished.h"
 #include "kernel/flatness.h"
+#include "kernel/place.h"
 #include "kernel/self_crossing.h"
 #include "kernel/side_by_side.h"
 
@@ -95,7 +97,7 @@ Mesh Work::unitedBodies(const Prepared& operand, const CommonGrid& grid, double 
   const Mesh cube = half > 0 ? cubeAround(half) : none;
   const Term by = half > 0 ? Term{cube, {}} : Term{none, origin};
   Mesh made = taken(arrangedSum(termOf(operand), by, grid.step, progress_.part(from, to)), operand);
-  if (made.faceCount() == 0) refuseTurnedShell(operand);
+  if (made.faceCount() == 0) refuseTurnedShell(operand, progress_);
   // By which its corners have moved.
   if (const double moved = std::sqrt(3) * half; moved > thicknessOfRounding * operand.bounds.diagonal())
     loss_.add({moved, 0});
@@ -166,10 +168,13 @@ void refuseSmallFaces(const std::string& name) {
               "Leave out details that are too small for its size, or choose shapes of more similar size.");
 }
 
-void refuseTurnedShell(const Prepared& operand) {
+void refuseTurnedShell(const Prepared& operand, const Progress& progress) {
+  const auto crossing = firstCrossing(operand.triangles, progress);
+  const std::string place =
+      crossing ? fmt::format(" near {}", Subject{operand.name, operand.centre}.place(crossing->place)) : std::string();
   throw Error(ErrorCode::InvalidInput,
-              fmt::format("{} has shells that cross, of which at least one looks inwards, as the wall of a void does.",
-                          operand.name),
+              fmt::format("{} has shells that cross{}, of which at least one looks inwards, as the wall of a void does.",
+                          operand.name, place),
               "Orient the faces of all bodies outwards, and keep voids inside of them.");
 }
 

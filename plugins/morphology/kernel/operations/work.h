@@ -70,7 +70,7 @@ void requireSolid(const Operand&);
 
 /// A shell that looks inwards and crosses another one encloses everything: nothing outside is left.
 /// @throws Error InvalidInput that names the operand.
-[[noreturn]] void refuseTurnedShell(const Prepared&);
+[[noreturn]] void refuseTurnedShell(const Prepared&, const Progress&);
 
 /// @throws Error Degenerate that names the solid of which an erosion has left nothing, and what has no room in it.
 [[noreturn]] void nothingLeft(const Operand&, const std::string& element, const std::string& remedy);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -34,6 +35,13 @@ double surfaceOver(const Cutter& c, const Vec3& tip, const Vec2& at) {
   const double flat = radius - c.cornerRadius;
   if (across <= flat) return tip.z();
   return tip.z() + c.cornerRadius - std::sqrt(c.cornerRadius * c.cornerRadius - (across - flat) * (across - flat));
+}
+
+/// Seen from above.
+double distanceToWay(const Vec2& at, const Vec3& from, const Vec3& to) {
+  const Vec2 along = (to - from).head<2>(), offset = at - from.head<2>();
+  const double share = along.isZero() ? 0 : std::clamp(offset.dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (offset - share * along).norm();
 }
 
 }  // namespace
@@ -79,6 +87,7 @@ class PocketStockFieldTest final : public QObject {
       for (std::size_t row = 0; row < field.rows(); ++row)
         for (std::size_t column = 0; column < field.columns(); ++column) {
           const Vec2 at = field.middleOf(column, row);
+          if (std::abs(distanceToWay(at, from, to) - cutter.diameter / 2) < 0.01) continue;  // between two of the places
           double lowest = 0;
           for (int s = 0; s <= 1000; ++s)
             lowest = std::min(lowest, surfaceOver(cutter, from + s / 1000.0 * (to - from), at));

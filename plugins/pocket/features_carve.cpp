@@ -21,6 +21,8 @@ constexpr int mostCells = 1'000'000;
 Evaluated carved(const CarveParameters& p, const Inputs& inputs, const Progress& progress) {
   const auto& path = inputs.get<Toolpath>(0);
   const auto& setup = *inputs.of(1)[0].get<Setup>();
+  if (setup.stock.empty())
+    throw Error(ErrorCode::InvalidInput, "The setup has no stock to cut.", "Make a setup with the stock around the part.");
   StockField stock(bounds(setup.stock.at(0)), static_cast<std::size_t>(p.cells));
   stock.lowerTo(trianglesOf(setup.stock[0], progress.part(0, 0.1)));
   const double before = stock.volume();

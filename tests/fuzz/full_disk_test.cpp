@@ -61,6 +61,8 @@ Shape shapeOf(ShapeKind kind) {
       return longProgram();
     case ShapeKind::MedialAxis:
       return made("medial-axis", {}, {rectangle(0, 0, 20, 10)}).shape;
+    case ShapeKind::Setup:
+      return made("setup", Value::object(), {made("box").shape}).shape;
     case ShapeKind::Sequence:
       return Sequence{{rectangle(0, 0, 20, 10), rectangle(0, 0, 30, 10)}, {0, 1}};
     default:

@@ -35,6 +35,8 @@ Shape plainShape(ShapeKind kind, double size) {
       path.moves = {{MoveKind::Rapid, {3, 3, 5}}, {MoveKind::Plunge, {3, 3, -1}}, {MoveKind::Feed, {7, 3, -1}}};
       return path;
     }
+    case ShapeKind::Setup:
+      return made("setup", {{"stock-below", 20}, {"zero", "drawing"}}, {rectangle(0, 0, 40, 40)}).shape;
     default:
       return {};
   }

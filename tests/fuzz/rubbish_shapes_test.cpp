@@ -106,6 +106,8 @@ Shape goodShape(ShapeKind kind, double size = 10) {
       return boxMesh({0, 0, 0}, Vec3::Constant(size));
     case ShapeKind::Toolpath:
       return program();
+    case ShapeKind::Setup:
+      return made("setup", {{"stock-below", 20}, {"zero", "drawing"}}, {rectangle(0, 0, 40, 40)}).shape;
     default:
       return {};
   }
